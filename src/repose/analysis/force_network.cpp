@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/analysis/force_network.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <unordered_map>
+
+namespace repose {
+
+namespace {
+
+template <int D>
+std::unordered_map<std::int64_t, std::size_t> places(const Grains<D>& grains) {
+  std::unordered_map<std::int64_t, std::size_t> place;
+  place.reserve(grains.size());
+  for (std::size_t k = 0; k < grains.size(); ++k) place.emplace(grains.id[k], k);
+  return place;
+}
+
+}  // namespace
+
+ForceNetwork read_force_network(const Grains<2>& grains, const Contacts<2>& contacts, const std::vector<bool>& in_heap,
+                                double threshold) {
+  ForceNetwork network;
+  const auto place = places(grains);
+  std::vector<std::size_t> partners(grains.size(), 0);
+  double xx = 0.0;
+  double yy = 0.0;
+  double xy = 0.0;
+  for (const auto& contact : contacts.list) {
+    if (contact.normal_force <= threshold) continue;
+    ++network.contacts;
+    ++partners[place.at(contact.first)];
+    if (contact.second >= 0) ++partners[place.at(contact.second)];
+    xx += contact.normal[0] * contact.normal[0];
+    yy += contact.normal[1] * contact.normal[1];
+    xy += contact.normal[0] * contact.normal[1];
+  }
+  std::size_t grains_counted = 0;
+  std::size_t ends = 0;
+  for (std::size_t k = 0; k < grains.size(); ++k) {
+    if (!in_heap[k]) continue;
+    ++grains_counted;
+    ends += partners[k];
+    network.connectivity[std::min<std::size_t>(partners[k], 6)] += 1.0;
+  }
+  if (grains_counted > 0) {
+    const auto count = static_cast<double>(grains_counted);
+    network.coordination = static_cast<double>(ends) / count;
+    for (auto& share : network.connectivity) share /= count;
+  }
+  if (network.contacts > 0) {
+    const auto count = static_cast<double>(network.contacts);
+    network.anisotropy = 2.0 * std::hypot(xx - yy, 2.0 * xy) / count;
+    network.direction_deg = 0.5 * std::atan2(2.0 * xy, xx - yy) * 180.0 / std::numbers::pi;
+  }
+  return network;
+}
+
+template <int D>
+double force_residual(const Grains<D>& grains, const Contacts<D>& contacts, const Vec<D>& gravity) {
+  const double strength = magnitude(gravity);
+  if (!(strength > 0.0)) return std::numeric_limits<double>::quiet_NaN();
+  const auto place = places(grains);
+  std::vector<Vec<D>> net(grains.size());
+  for (std::size_t k = 0; k < grains.size(); ++k) net[k] = gravity * grains.line[k].mass;
+  for (const auto& contact : contacts.list) {
+    const Vec<D> force = force_of(contact);
+    net[place.at(contact.first)] += force;
+    if (contact.second >= 0) net[place.at(contact.second)] -= force;
+  }
+  double sum = 0.0;
+  double count = 0.0;
+  for (const auto k : by_id(grains)) {
+    if (grains.line[k].fixed()) continue;
+    sum += magnitude(net[k]) / (grains.line[k].mass * strength);
+    count += 1.0;
+  }
+  return count > 0.0 ? sum / count : 0.0;
+}
+
+template <int D>
+double max_overlap(const Contacts<D>& contacts) {
+  double deepest = 0.0;
+  for (const auto& contact : contacts.list) deepest = std::max(deepest, contact.relative_overlap);
+  return deepest;
+}
+
+template double force_residual(const Grains<2>&, const Contacts<2>&, const Vec<2>&);
+template double max_overlap(const Contacts<2>&);
+
+}  // namespace repose

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "repose/cli/commands.hpp"
+#include "repose/cli/describe.hpp"
+#include "repose/cli/scene_options.hpp"
+
+namespace repose {
+
+namespace {
+
+/// Grain-steps per second of one core, for a rough estimate only; `./dev bench` measures the machine at hand.
+constexpr double typical_speed = 1e7;
+
+}  // namespace
+
+Command add_check(CLI::App& app) {
+  auto options = std::make_shared<SceneOptions>();
+  auto* command = app.add_subcommand("check", "Read and validate a scene; say what would run");
+  options->add_to(*command);
+  return {command, [options] {
+            const auto scene = options->read();
+            fmt::print("{}", describe(scene));
+            const double work = expected_work(scene, expected_end(scene));
+            fmt::print("cost             about {:.2g} s of one core\n", work / typical_speed);
+            return 0;
+          }};
+}
+
+}  // namespace repose

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/cli/describe.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "repose/run/reading.hpp"
+#include "repose/run/setup.hpp"
+
+namespace repose {
+
+namespace {
+
+struct LawText {
+  std::string operator()(const Continuous& law) const {
+    return fmt::format("continuous, F = m g (s/r)^{:g} out to {:g} diameters, damping {:g} of critical",
+                       law.exponent + 1, law.cutoff, law.damping);
+  }
+  std::string operator()(const Hooke& law) const {
+    return fmt::format("hooke, k = {:g}, damping {:g} of critical", law.stiffness, law.damping);
+  }
+  std::string operator()(const Cumulative& law) const {
+    return fmt::format("cumulative, friction {:g}, alpha {:g}", law.friction, law.alpha);
+  }
+  std::string operator()(const Linear& law) const {
+    return fmt::format("linear, friction {:g}, k_t = {:g}, damping {:g}", law.friction, law.stiffness, law.damping);
+  }
+  std::string operator()(const None&) const { return "none: smooth grains"; }
+};
+
+std::string stop_text(const Scene& scene) {
+  std::string text;
+  if (scene.stop.at_rest) text = fmt::format("at rest below {:g}", *scene.stop.at_rest);
+  if (scene.stop.time) text += fmt::format("{}time {:g}", text.empty() ? "" : ", or ", *scene.stop.time);
+  return text;
+}
+
+std::string or_none(const std::optional<double>& value, const char* format) {
+  return value ? fmt::format(fmt::runtime(format), *value) : "not defined";
+}
+
+}  // namespace
+
+double expected_end(const Scene& scene) {
+  if (scene.stop.time && !scene.stop.at_rest) return *scene.stop.time;
+  double end = 100.0 * std::sqrt(scene.grains.diameter / std::max(scene.gravity, 1e-30));
+  if (scene.source.kind == "pour") {
+    end = static_cast<double>(scene.source.count) / scene.source.rate +
+          std::sqrt(2.0 * scene.source.height / scene.gravity) +
+          50.0 * std::sqrt(scene.grains.diameter / scene.gravity);
+  }
+  return scene.stop.time ? std::min(end, *scene.stop.time) : end;
+}
+
+double expected_work(const Scene& scene, double time) {
+  double work = static_cast<double>(scene.placed.size()) * time;
+  if (scene.source.kind == "pour") {
+    const double pouring = static_cast<double>(scene.source.count) / scene.source.rate;
+    const double during = std::min(time, pouring);
+    work += 0.5 * scene.source.rate * during * during + static_cast<double>(scene.source.count) * (time - during);
+  }
+  return work / scene.time_step();
+}
+
+std::string describe(const Scene& scene) {
+  const auto initial = initial_grains(scene);
+  const auto fixed = initial.size() - moving_count(initial);
+  const double step = scene.time_step();
+  std::string text = fmt::format("scene            {}\n", scene.title.empty() ? "(untitled)" : scene.title);
+  text += fmt::format("grains           {} poured, {} placed, {} fixed; diameters {:g} to {:g}\n", scene.source.count,
+                      moving_count(initial), fixed, scene.smallest_diameter(), scene.largest_diameter());
+  text += fmt::format("normal law       {}\n", std::visit(LawText{}, scene.contact.normal));
+  text += fmt::format("tangential law   {}\n", std::visit(LawText{}, scene.contact.tangential));
+  text += fmt::format("time step        {:.6g} ({}; w dt = {:.3g} for the stiffest contact of a fall from the source)\n",
+                      step, scene.method.time_step ? "given" : "auto", step * scene.contact_frequency());
+  text += fmt::format("velocities       {}{}\n", scene.synchronised() ? "synchronised" : "half-step",
+                      scene.method.velocities == "auto" ? fmt::format(" (auto; size ratio {:.3g})",
+                                                                      scene.largest_diameter() / scene.smallest_diameter())
+                                                        : "");
+  text += fmt::format("stop             {}\n", stop_text(scene));
+  const double end = expected_end(scene);
+  text += fmt::format("expected         {:.3g} steps, {:.3g} grain-steps to time {:.5g}\n", end / step,
+                      expected_work(scene, end), end);
+  return text;
+}
+
+std::string describe_result(const Simulation& simulation) {
+  const auto contacts = simulation.contacts();
+  const auto reading = read(simulation, contacts);
+  const double seconds = simulation.wall_seconds();
+  std::string text = fmt::format("stopped          {} (time {:.6g}, {} steps, {:.1f} s, {:.3g} grain-steps per second)\n",
+                                 simulation.message(), simulation.time(), simulation.steps(), seconds,
+                                 simulation.grain_steps() / seconds);
+  text += fmt::format("grains           {} present, {} lost\n", moving_count(simulation.grains()),
+                      simulation.grains_lost());
+  const auto& heap = reading.heap;
+  const auto flank = [](const std::optional<FlankLine>& line) {
+    return line ? fmt::format("{:.1f}", line->angle_deg) : std::string("-");
+  };
+  text += fmt::format("angle of repose  left {} right {} moments {} deg\n", flank(heap.left), flank(heap.right),
+                      heap.moments_angle_deg ? fmt::format("{:.1f}", *heap.moments_angle_deg) : "-");
+  text += fmt::format("coordination     {} (contacts above {:g} grain weights)\n",
+                      or_none(reading.network.coordination, "{:.3f}"), simulation.scene().analysis.force_threshold);
+  text += fmt::format("deepest overlap  {:.4f} diameters\n", max_overlap(contacts));
+  if (reading.dip) text += fmt::format("dip index        {:.3f}\n", reading.dip->index);
+  text += fmt::format("weight error     {}\n", or_none(reading.weight_error, "{:.2e}"));
+  return text;
+}
+
+}  // namespace repose

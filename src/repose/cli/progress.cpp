@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/cli/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include "repose/cli/describe.hpp"
+
+namespace repose {
+
+namespace {
+
+std::string clock_text(double seconds) {
+  const auto whole = static_cast<long>(seconds + 0.5);
+  if (whole >= 3600) return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+  return fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+}  // namespace
+
+Progress::Progress(const Scene& scene, bool show)
+    : scene_(scene),
+      show_(show),
+      terminal_(::isatty(STDOUT_FILENO) == 1),
+      all_work_(expected_work(scene, expected_end(scene))) {}
+
+void Progress::update(const Simulation& simulation) {
+  if (!show_) return;
+  const auto now = Clock::now();
+  const double between = terminal_ ? 0.2 : 10.0;
+  if (std::chrono::duration<double>(now - last_).count() < between) return;
+  last_ = now;
+  const double seconds = simulation.wall_seconds();
+  const double speed = simulation.grain_steps() / std::max(seconds, 1e-9);
+  const double share = std::clamp(simulation.grain_steps() / std::max(all_work_, 1.0), 0.0, 1.0);
+  const double left = speed > 0.0 ? std::max(0.0, all_work_ - simulation.grain_steps()) / speed : 0.0;
+  const auto line = fmt::format("{:3.0f} %  time {:.5g}  {} grains  {:.1f} M grain-steps/s  {} left", 100.0 * share,
+                                simulation.time(), moving_count(simulation.grains()), speed * 1e-6, clock_text(left));
+  if (terminal_) {
+    constexpr std::size_t width = 24;
+    const auto full = static_cast<std::size_t>(share * width);
+    fmt::print("\r[{}{}] {}\033[K", std::string(full, '#'), std::string(width - full, '.'), line);
+    drawn_ = true;
+  } else {
+    fmt::print("{}\n", line);
+  }
+  std::fflush(stdout);
+}
+
+void Progress::finish() {
+  if (drawn_) fmt::print("\r\033[K");
+  std::fflush(stdout);
+}
+
+}  // namespace repose

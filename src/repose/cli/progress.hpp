@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+
+#include "repose/run/simulation.hpp"
+
+namespace repose {
+
+/// Shows how far a run has come: a bar on a terminal, plain lines otherwise.
+class Progress {
+ public:
+  Progress(const Scene& scene, bool show);
+  void update(const Simulation& simulation);
+  /// Clears the bar away.
+  void finish();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  const Scene& scene_;
+  bool show_;
+  bool terminal_;
+  double all_work_;
+  bool drawn_ = false;
+  Clock::time_point last_ = Clock::now();
+};
+
+}  // namespace repose

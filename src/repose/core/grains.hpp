@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "repose/core/errors.hpp"
+#include "repose/core/vec.hpp"
+
+namespace repose {
+
+/// What every step of a pair force touches: one 64-byte line in 2D, two in 3D.
+template <int D>
+struct alignas(64) Grain {
+  Vec<D> velocity{};          ///< [L/T]
+  Spin<D> rim_velocity{};     ///< [L/T] angular velocity times radius
+  double inverse_mass = 0.0;  ///< [1/M] 0: fixed, never moves nor turns
+  Vec<D> position{};          ///< [L]
+  double radius = 0.0;        ///< [L]
+  double mass = 0.0;          ///< [M] nominal mass, of fixed grains too
+
+  bool fixed() const { return inverse_mass == 0.0; }
+};
+static_assert(sizeof(Grain<2>) == 64);
+static_assert(sizeof(Grain<3>) == 128);
+
+/// Velocities half a step behind the position, kept by methods whose `line` holds velocities predicted for the full step.
+template <int D>
+struct HalfStep {
+  Vec<D> velocity{};       ///< [L/T]
+  Spin<D> rim_velocity{};  ///< [L/T]
+};
+
+/// 1 / (I / m r^2): a disc has I = m r^2 / 2, a sphere 2/5 m r^2.
+template <int D>
+inline constexpr double inverse_inertia_factor = D == 2 ? 2.0 : 2.5;
+
+/// The grains of a simulation: a hot line each, and one array per property for the rest. All arrays have one entry per
+/// grain, in memory order, which follows space and changes; `id` is stable and names a grain wherever it leaves memory.
+template <int D>
+struct Grains {
+  std::vector<Grain<D>> line;
+  std::vector<std::int64_t> id;
+  std::vector<std::uint16_t> material;
+  std::vector<std::uint8_t> base;      ///< 1: belongs to the base
+  std::vector<Vec<D>> reaction;        ///< [M L/T] contact force on a fixed grain, summed over time since the last reset
+  std::vector<HalfStep<D>> half_step;  ///< empty unless the method predicts velocities
+
+  std::size_t size() const { return line.size(); }
+
+  void add(const Grain<D>& grain, std::int64_t stable_id, bool is_base = false, std::uint16_t material_number = 0) {
+    line.push_back(grain);
+    id.push_back(stable_id);
+    material.push_back(material_number);
+    base.push_back(is_base ? 1 : 0);
+    reaction.push_back({});
+    if (!half_step.empty()) half_step.push_back({grain.velocity, grain.rim_velocity});
+  }
+
+  /// Reorders (or drops) grains: entry k of the new arrays is entry order[k] of the old.
+  void reorder(const std::vector<std::uint32_t>& order) {
+    take(line, order);
+    take(id, order);
+    take(material, order);
+    take(base, order);
+    take(reaction, order);
+    if (!half_step.empty()) take(half_step, order);
+  }
+
+ private:
+  template <class T>
+  static void take(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
+    std::vector<T> taken;
+    taken.reserve(values.capacity());
+    for (const auto k : order) taken.push_back(values[k]);
+    values.swap(taken);
+  }
+};
+
+/// Memory order of the grains by ascending stable id: entry k is the place of the k-th smallest id.
+template <int D>
+std::vector<std::uint32_t> by_id(const Grains<D>& grains);
+
+/// Number of grains that can move.
+template <int D>
+std::size_t moving_count(const Grains<D>& grains);
+
+/// Kinetic energy of translation and rotation [M L^2/T^2] of all grains that can move, summed in order of id.
+template <int D>
+double kinetic_energy(const Grains<D>& grains);
+
+}  // namespace repose

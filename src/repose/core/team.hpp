@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <barrier>
+#include <functional>
+#include <thread>
+#include <vector>
+
+namespace repose {
+
+/// A fixed team of threads that run the same function side by side. The caller is member 0.
+class Team {
+ public:
+  explicit Team(int threads);
+  ~Team();
+  Team(const Team&) = delete;
+  Team& operator=(const Team&) = delete;
+
+  int size() const { return size_; }
+
+  /// Runs task(member) on every member and returns when all have finished. Tasks must not throw.
+  void run(const std::function<void(int)>& task);
+
+  /// Inside a task: waits until every member has come here.
+  void wait();
+
+ private:
+  void serve(int member);
+
+  int size_;
+  std::barrier<> start_;
+  std::barrier<> finish_;
+  std::barrier<> inside_;
+  const std::function<void(int)>* task_ = nullptr;  // null: the team is dissolved
+  std::vector<std::thread> threads_;
+};
+
+/// Contiguous share of `count` items for one member of a team.
+struct Range {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+inline Range share(std::size_t count, int member, int members) {
+  const auto m = static_cast<std::size_t>(member);
+  const auto n = static_cast<std::size_t>(members);
+  return {count * m / n, count * (m + 1) / n};
+}
+
+}  // namespace repose

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/io/hdf5_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <hdf5.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <utility>
+
+#include "repose/core/errors.hpp"
+
+namespace repose {
+
+namespace {
+
+static_assert(sizeof(hid_t) == sizeof(std::int64_t));
+
+/// An HDF5 handle that closes itself; negative: the call that made it failed.
+class Handle {
+ public:
+  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  hid_t id() const { return id_; }
+  bool failed() const { return id_ < 0; }
+
+ private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+/// The system's own words for what went wrong, from the library's stack of errors.
+std::string reason() {
+  std::string found;
+  H5Ewalk2(
+      H5E_DEFAULT, H5E_WALK_UPWARD,
+      [](unsigned, const H5E_error2_t* error, void* out) -> herr_t {
+        const std::string text = error->desc != nullptr ? error->desc : "";
+        const std::string key = "error message = '";
+        auto& reason = *static_cast<std::string*>(out);
+        if (const auto begin = text.find(key); begin != std::string::npos && reason.empty()) {
+          reason = text.substr(begin + key.size());
+          reason = reason.substr(0, reason.find('\''));
+        }
+        return 0;
+      },
+      &found);
+  return found.empty() ? "HDF5 library error" : found;
+}
+
+template <class T>
+hid_t native_type();
+template <>
+hid_t native_type<double>() {
+  return H5T_NATIVE_DOUBLE;
+}
+template <>
+hid_t native_type<std::int64_t>() {
+  return H5T_NATIVE_INT64;
+}
+template <>
+hid_t native_type<std::uint16_t>() {
+  return H5T_NATIVE_UINT16;
+}
+template <>
+hid_t native_type<std::uint8_t>() {
+  return H5T_NATIVE_UINT8;
+}
+
+/// Creates and writes an attribute; false on failure.
+bool write_attribute(hid_t file, const std::string& object, const std::string& name, hid_t type, hid_t space,
+                     const void* value) {
+  const Handle target(H5Oopen(file, object.c_str(), H5P_DEFAULT), H5Oclose);
+  if (target.failed()) return false;
+  const Handle attribute(H5Acreate2(target.id(), name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  return !attribute.failed() && H5Awrite(attribute.id(), type, value) >= 0;
+}
+
+/// Flushes a file or folder to the disk; false on failure.
+bool flush_to_disk(const std::string& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY);
+  if (descriptor < 0) return false;
+  const bool flushed = ::fsync(descriptor) == 0;
+  ::close(descriptor);
+  return flushed;
+}
+
+std::string folder_of(const std::string& path) {
+  const auto slash = path.rfind('/');
+  return slash == std::string::npos ? "." : path.substr(0, slash + 1);
+}
+
+/// Puts the finished temporary file in the place of `path`.
+void publish(const std::string& temporary, const std::string& path) {
+  if (!flush_to_disk(temporary) || std::rename(temporary.c_str(), path.c_str()) != 0) {
+    const int error = errno;
+    std::remove(temporary.c_str());
+    throw RunError(fmt::format("{}: cannot write: {}", path, std::strerror(error)));
+  }
+  flush_to_disk(folder_of(path));
+}
+
+}  // namespace
+
+Hdf5File::Hdf5File(std::string path) : path_(std::move(path)), temporary_(path_ + ".tmp") {
+  // We report errors ourselves, and a file that could not be written must not be tried again at exit.
+  static const bool quiet = [] {
+    H5dont_atexit();
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    return true;
+  }();
+  static_cast<void>(quiet);
+  file_ = H5Fcreate(temporary_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  if (file_ < 0) fail();
+}
+
+Hdf5File::~Hdf5File() {
+  if (file_ < 0) return;
+  H5Fclose(file_);
+  std::remove(temporary_.c_str());
+}
+
+void Hdf5File::fail() const { throw RunError(fmt::format("{}: cannot write: {}", path_, reason())); }
+
+void Hdf5File::group(const std::string& name) {
+  const Handle group(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+  if (group.failed()) fail();
+}
+
+void Hdf5File::attribute(const std::string& object, const std::string& name, const std::string& value) {
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.id(), value.size() + 1);
+  H5Tset_cset(type.id(), H5T_CSET_UTF8);
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  if (!write_attribute(file_, object, name, type.id(), space.id(), value.c_str())) fail();
+}
+
+void Hdf5File::attribute(const std::string& object, const std::string& name, std::int64_t value) {
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  if (!write_attribute(file_, object, name, H5T_NATIVE_INT64, space.id(), &value)) fail();
+}
+
+void Hdf5File::attribute(const std::string& object, const std::string& name, double value) {
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  if (!write_attribute(file_, object, name, H5T_NATIVE_DOUBLE, space.id(), &value)) fail();
+}
+
+void Hdf5File::attribute(const std::string& object, const std::string& name, const std::vector<double>& values) {
+  const hsize_t size = values.size();
+  const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
+  if (!write_attribute(file_, object, name, H5T_NATIVE_DOUBLE, space.id(), values.data())) fail();
+}
+
+template <class T>
+void Hdf5File::dataset(const std::string& name, const std::vector<T>& values, std::size_t columns,
+                       std::string_view unit, std::string_view meaning) {
+  const hsize_t shape[2] = {values.size() / columns, columns};
+  const int rank = columns == 1 ? 1 : 2;
+  {
+    const Handle space(H5Screate_simple(rank, shape, nullptr), H5Sclose);
+    const Handle dataset(H5Dcreate2(file_, name.c_str(), native_type<T>(), space.id(), H5P_DEFAULT, H5P_DEFAULT,
+                                    H5P_DEFAULT),
+                         H5Dclose);
+    if (dataset.failed()) fail();
+    if (!values.empty() &&
+        H5Dwrite(dataset.id(), native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
+      fail();
+    }
+  }
+  attribute(name, "unit", std::string(unit));
+  attribute(name, "meaning", std::string(meaning));
+}
+
+template void Hdf5File::dataset(const std::string&, const std::vector<double>&, std::size_t, std::string_view,
+                                std::string_view);
+template void Hdf5File::dataset(const std::string&, const std::vector<std::int64_t>&, std::size_t, std::string_view,
+                                std::string_view);
+template void Hdf5File::dataset(const std::string&, const std::vector<std::uint16_t>&, std::size_t, std::string_view,
+                                std::string_view);
+template void Hdf5File::dataset(const std::string&, const std::vector<std::uint8_t>&, std::size_t, std::string_view,
+                                std::string_view);
+
+void Hdf5File::external_link(const std::string& name, const std::string& file, const std::string& object) {
+  if (H5Lcreate_external(file.c_str(), object.c_str(), file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0) fail();
+}
+
+void Hdf5File::commit() {
+  if (H5Fflush(file_, H5F_SCOPE_LOCAL) < 0) fail();
+  if (H5Fclose(std::exchange(file_, -1)) < 0) {
+    const std::string why = reason();
+    std::remove(temporary_.c_str());
+    throw RunError(fmt::format("{}: cannot write: {}", path_, why));
+  }
+  publish(temporary_, path_);
+}
+
+void write_text_file(const std::string& path, const std::string& text) {
+  const std::string temporary = path + ".tmp";
+  errno = 0;
+  std::ofstream file(temporary, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) {
+    const int error = errno != 0 ? errno : EIO;
+    std::remove(temporary.c_str());
+    throw RunError(fmt::format("{}: cannot write: {}", path, std::strerror(error)));
+  }
+  publish(temporary, path);
+}
+
+}  // namespace repose

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace repose {
+
+/// Writes one HDF5 file: under a temporary name until `commit` flushes it to the disk and renames it, so that nobody
+/// ever meets half a file. Every call throws RunError with the system's reason if it fails.
+class Hdf5File {
+ public:
+  explicit Hdf5File(std::string path);
+  /// Without a commit nothing is left behind.
+  ~Hdf5File();
+  Hdf5File(const Hdf5File&) = delete;
+  Hdf5File& operator=(const Hdf5File&) = delete;
+
+  void group(const std::string& name);
+  void attribute(const std::string& object, const std::string& name, const std::string& value);
+  void attribute(const std::string& object, const std::string& name, std::int64_t value);
+  void attribute(const std::string& object, const std::string& name, double value);
+  void attribute(const std::string& object, const std::string& name, const std::vector<double>& values);
+
+  /// Datasets of shape (n) or (n, columns), with their unit and meaning as attributes.
+  template <class T>
+  void dataset(const std::string& name, const std::vector<T>& values, std::size_t columns, std::string_view unit,
+               std::string_view meaning);
+
+  /// A link to an object of another file, by a path relative to this file.
+  void external_link(const std::string& name, const std::string& file, const std::string& object);
+
+  void commit();
+
+ private:
+  [[noreturn]] void fail() const;
+
+  std::string path_;
+  std::string temporary_;
+  std::int64_t file_ = -1;
+};
+
+/// Makes `text` the content of a file, all or nothing, flushed to the disk.
+void write_text_file(const std::string& path, const std::string& text);
+
+}  // namespace repose

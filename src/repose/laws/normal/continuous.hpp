@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+#include "repose/laws/touch.hpp"
+
+namespace repose {
+
+/// x^n for whole n >= 0 by repeated squaring: the same bits everywhere, unlike std::pow.
+REPOSE_FN double whole_power(double x, unsigned n) {
+  double result = 1.0;
+  for (; n != 0; n >>= 1) {
+    if ((n & 1U) != 0) result *= x;
+    x *= x;
+  }
+  return result;
+}
+
+/// Continuous interaction: F = m g (s/r)^(n+1) out to r = r0 s, with half-critical damping of the local stiffness.
+/// A grain at rest on a fixed one of its size sits at exactly r = s.
+/// Source: Baxter et al. (1997), eq. (3) and section II, with the sign of the exponent put right.
+/// Validated by tests/validation/soft_exact.cpp (rest distance, energy of an impact).
+struct Continuous {
+  double exponent = 36.0;        ///< n > 0
+  double cutoff = 1.2;           ///< r0 >= 1, in mean diameters
+  double damping = 0.5;          ///< fraction of the critical damping of one grain against a fixed one, >= 0
+  double gravity = 1.0;          ///< [L/T^2] sets the scale m g of the force, > 0
+  bool attraction = false;       ///< let the dashpot pull
+  unsigned whole_exponent = 37;  ///< n + 1 if whole (fast path), else 0
+
+  static Continuous make(double exponent, double cutoff, double damping, double gravity, bool attraction = false) {
+    const double next = exponent + 1.0;
+    const bool whole = next == std::floor(next) && next < 1e6;
+    return {exponent, cutoff, damping, gravity, attraction, whole ? static_cast<unsigned>(next) : 0U};
+  }
+};
+
+/// The distance, in mean diameters, below which the law acts.
+REPOSE_FN double reach(const Continuous& law) { return law.cutoff; }
+
+REPOSE_FN NormalForce<double> normal_force(const Continuous& law, const Touch<double>& touch) {
+  const double inverse = 1.0 / touch.distance;
+  const double x = touch.diameter * inverse;
+  const double power =
+      law.whole_exponent != 0 ? whole_power(x, law.whole_exponent) : std::pow(x, law.exponent + 1.0);
+  const double elastic = touch.mass * law.gravity * power;
+  const double stiffness = (law.exponent + 1.0) * elastic * inverse;
+  const double dashpot = 2.0 * law.damping * std::sqrt(touch.mass * stiffness);
+  return {elastic, without_attraction(law.attraction, elastic + dashpot * touch.closing_speed)};
+}
+
+/// Energy [M L^2/T^2] stored in a pair of mean diameter `diameter` at `distance`; 0 at the cutoff.
+inline double elastic_energy(const Continuous& law, double mass, double diameter, double distance) {
+  const double scale = mass * law.gravity * diameter / law.exponent;
+  return scale * (std::pow(diameter / distance, law.exponent) - std::pow(law.cutoff, -law.exponent));
+}
+
+/// Stiffness -dF/dr [M/T^2] where the pair has stored `energy`.
+inline double stiffness_at(const Continuous& law, double mass, double diameter, double energy) {
+  const double scale = mass * law.gravity * diameter / law.exponent;
+  const double x = std::pow(energy / scale + std::pow(law.cutoff, -law.exponent), 1.0 / law.exponent);
+  return (law.exponent + 1.0) * mass * law.gravity * std::pow(x, law.exponent + 2.0) / diameter;
+}
+
+}  // namespace repose

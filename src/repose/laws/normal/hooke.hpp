@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+#include "repose/laws/touch.hpp"
+
+namespace repose {
+
+/// Linear spring F = k overlap with a dashpot. A grain at rest on a fixed one sits at s - m g / k.
+/// Source: Baxter et al. (1997), section III; Cundall & Strack (1979).
+/// Validated by tests/validation/soft_exact.cpp (rest distance, energy of an impact against the step).
+struct Hooke {
+  double stiffness = 500.0;  ///< [M/T^2] > 0
+  double damping = 0.5;      ///< fraction of the critical damping of one grain against a fixed one, >= 0
+  bool attraction = false;   ///< let the dashpot pull
+};
+
+REPOSE_FN double reach(const Hooke&) { return 1.0; }
+
+REPOSE_FN NormalForce<double> normal_force(const Hooke& law, const Touch<double>& touch) {
+  const double elastic = law.stiffness * touch.overlap;
+  const double dashpot = 2.0 * law.damping * std::sqrt(touch.mass * law.stiffness);
+  return {elastic, without_attraction(law.attraction, elastic + dashpot * touch.closing_speed)};
+}
+
+/// Energy [M L^2/T^2] stored in a pair of mean diameter `diameter` at `distance`.
+inline double elastic_energy(const Hooke& law, double /*mass*/, double diameter, double distance) {
+  const double overlap = diameter > distance ? diameter - distance : 0.0;
+  return 0.5 * law.stiffness * overlap * overlap;
+}
+
+inline double stiffness_at(const Hooke& law, double /*mass*/, double /*diameter*/, double /*energy*/) {
+  return law.stiffness;
+}
+
+}  // namespace repose

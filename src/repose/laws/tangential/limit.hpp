@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+#include "repose/core/vec.hpp"
+
+namespace repose {
+
+/// The tangent shortened to at most `longest` >= 0.
+REPOSE_FN double limited(double a, double longest) { return std::fabs(a) > longest ? std::copysign(longest, a) : a; }
+template <int D>
+REPOSE_FN Vec<D> limited(const Vec<D>& a, double longest) {
+  const double length = magnitude(a);
+  return length > longest ? a * (longest / length) : a;
+}
+
+/// Unit tangent along a; zero (in 2D: +-1) where a is zero.
+REPOSE_FN double direction(double a) { return std::copysign(1.0, a); }
+template <int D>
+REPOSE_FN Vec<D> direction(const Vec<D>& a) {
+  const double length = magnitude(a);
+  return length > 0.0 ? a * (1.0 / length) : Vec<D>{};
+}
+
+}  // namespace repose

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/core/inline.hpp"
+#include "repose/laws/touch.hpp"
+
+namespace repose {
+
+/// No tangential force: smooth grains.
+struct None {};
+
+template <class Tangential>
+REPOSE_FN Tangential tangential_force(const None&, const Touch<double>&, const NormalForce<double>&, const Tangential&,
+                                      double, Tangential&) {
+  return Tangential{};
+}
+
+REPOSE_FN double coulomb_limit(const None&, const NormalForce<double>&) { return 0.0; }
+
+}  // namespace repose

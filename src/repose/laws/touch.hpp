@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/core/inline.hpp"
+
+namespace repose {
+
+/// What a force law may know of a touching pair; a law never sees the grains. Signs: overlap > 0 touching,
+/// closing_speed > 0 approaching.
+template <class T>
+struct Touch {
+  T distance;       ///< [L] between the centres
+  T diameter;       ///< [L] mean of the two diameters: the distance at which rigid grains would touch
+  T overlap;        ///< [L] diameter - distance
+  T engagement;     ///< [L] cutoff distance - distance, > 0: how deep the pair is in the reach of the normal law
+  T closing_speed;  ///< [L/T]
+  T mass;           ///< [M] 2 m_i m_j / (m_i + m_j): the mass of either for equal grains, twice the reduced mass
+};
+
+/// A normal force in its parts.
+template <class T>
+struct NormalForce {
+  T elastic;  ///< [M L/T^2] >= 0, function of the distance alone
+  T total;    ///< [M L/T^2] with damping; positive pushes apart
+};
+
+template <class T>
+REPOSE_FN T choose(bool condition, T yes, T no) {
+  return condition ? yes : no;
+}
+
+template <class T>
+REPOSE_FN T positive_part(T a) {
+  return choose(a > T(0), a, T(0));
+}
+
+/// Whether the dashpot may pull: real dry grains do not attract, so the default cuts the total force at zero.
+template <class T>
+REPOSE_FN T without_attraction(bool attraction, T force) {
+  return choose(attraction || force > T(0), force, T(0));
+}
+
+}  // namespace repose

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "repose/boundaries/plane.hpp"
+#include "repose/core/box.hpp"
+#include "repose/core/vec.hpp"
+
+namespace repose {
+
+/// What the soft method needs to know besides the laws.
+template <int D>
+struct SoftSettings {
+  double time_step = 0.0;     ///< [T] > 0
+  Vec<D> gravity{};           ///< [L/T^2]
+  Box<D> box{};
+  std::vector<Plane<D>> planes;
+  bool synchronised = false;  ///< forces from velocities predicted for the full step (large size ratios)
+  double skin = 0.3;          ///< [L] of the pair list
+};
+
+}  // namespace repose

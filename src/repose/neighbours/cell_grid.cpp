@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/neighbours/cell_grid.hpp"
+
+namespace repose {
+
+template <int D>
+CellGrid<D>::CellGrid(const std::vector<Vec<D>>& positions, const Box<D>& box, double cell_size) {
+  Vec<D> low = positions.empty() ? Vec<D>{} : positions.front();
+  Vec<D> high = low;
+  for (const auto& position : positions) {
+    for (int axis = 0; axis < D; ++axis) {
+      low[axis] = std::min(low[axis], position[axis]);
+      high[axis] = std::max(high[axis], position[axis]);
+    }
+  }
+  if (box.periodic) {
+    low[0] = box.x_min;
+    high[0] = box.x_max;
+  }
+  origin_ = low;
+
+  // A few grains far away must not make the grid huge: cells grow until there are at most a few per grain.
+  const double most_cells = 16.0 * static_cast<double>(positions.size()) + 1024.0;
+  for (double size = cell_size;; size *= 1.5) {
+    double cells = 1.0;
+    for (int axis = 0; axis < D; ++axis) cells *= std::floor((high[axis] - low[axis]) / size) + 1.0;
+    if (cells > most_cells) continue;
+    for (int axis = 0; axis < D; ++axis) {
+      const auto a = static_cast<std::size_t>(axis);
+      const bool wraps = box.periodic && axis == 0;
+      const double extent = high[axis] - low[axis];
+      count_[a] = std::max(1, static_cast<int>(std::floor(extent / size)) + (wraps ? 0 : 1));
+      size_[a] = wraps ? extent / count_[a] : size;
+    }
+    break;
+  }
+
+  std::size_t cells = 1;
+  for (const int n : count_) cells *= static_cast<std::size_t>(n);
+  std::vector<std::uint32_t> cell(positions.size());
+  start_.assign(cells + 1, 0);
+  for (std::size_t k = 0; k < positions.size(); ++k) {
+    cell[k] = static_cast<std::uint32_t>(index(cell_of(positions[k])));
+    ++start_[cell[k] + 1];
+  }
+  for (std::size_t c = 0; c < cells; ++c) start_[c + 1] += start_[c];
+  std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
+  order_.resize(positions.size());
+  for (std::size_t k = 0; k < positions.size(); ++k) order_[next[cell[k]]++] = static_cast<std::uint32_t>(k);
+}
+
+template <int D>
+std::array<int, D> CellGrid<D>::cell_of(const Vec<D>& position) const {
+  std::array<int, D> cell{};
+  for (int axis = 0; axis < D; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    const double place = std::floor((position[axis] - origin_[axis]) / size_[a]);
+    cell[a] = static_cast<int>(std::clamp(place, 0.0, static_cast<double>(count_[a] - 1)));
+  }
+  return cell;
+}
+
+template class CellGrid<2>;
+template class CellGrid<3>;
+
+}  // namespace repose

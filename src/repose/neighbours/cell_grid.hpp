@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "repose/core/box.hpp"
+#include "repose/core/vec.hpp"
+
+namespace repose {
+
+/// Square cells over the grains, numbered so that the last axis (height) runs fastest: a line of cells along it is
+/// contiguous in memory order, and three neighbouring cells of a line are one range.
+template <int D>
+class CellGrid {
+ public:
+  /// Cells of at least `cell_size` [L] over all positions; positions of a periodic box must be wrapped.
+  CellGrid(const std::vector<Vec<D>>& positions, const Box<D>& box, double cell_size);
+
+  /// Stable order by cell: entry k is the old place of the grain that comes k-th.
+  const std::vector<std::uint32_t>& order() const { return order_; }
+
+  std::array<int, D> cell_of(const Vec<D>& position) const;
+  int count(int axis) const { return count_[static_cast<std::size_t>(axis)]; }
+  double size(int axis) const { return size_[static_cast<std::size_t>(axis)]; }
+
+  /// Places (in the new order) of the grains in cells first..last (clamped to the grid) of one line of cells.
+  struct Places {
+    std::uint32_t begin;
+    std::uint32_t end;
+  };
+  Places places(int line, int first, int last) const {
+    const int height = count(D - 1);
+    const auto base = static_cast<std::size_t>(line) * static_cast<std::size_t>(height);
+    const auto low = base + static_cast<std::size_t>(std::clamp(first, 0, height - 1));
+    const auto high = base + static_cast<std::size_t>(std::clamp(last, 0, height - 1));
+    return {start_[low], start_[high + 1]};
+  }
+
+  /// Number of the line of cells through a cell.
+  int line_of(const std::array<int, D>& cell) const {
+    int line = cell[0];
+    for (int axis = 1; axis < D - 1; ++axis) line = line * count(axis) + cell[static_cast<std::size_t>(axis)];
+    return line;
+  }
+
+ private:
+  std::size_t index(const std::array<int, D>& cell) const {
+    return static_cast<std::size_t>(line_of(cell)) * static_cast<std::size_t>(count(D - 1)) +
+           static_cast<std::size_t>(cell[D - 1]);
+  }
+
+  Vec<D> origin_{};
+  std::array<double, D> size_{};
+  std::array<int, D> count_{};
+  std::vector<std::uint32_t> start_;  // first place of each cell, one more at the end
+  std::vector<std::uint32_t> order_;
+};
+
+}  // namespace repose

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "repose/core/box.hpp"
+#include "repose/core/grains.hpp"
+#include "repose/core/team.hpp"
+
+namespace repose {
+
+/// How far a pair list looks.
+struct PairReach {
+  double cutoff = 1.0;   ///< a pair interacts closer than cutoff (R_i + R_j)
+  double skin = 0.3;     ///< [L] extra distance within which pairs are listed
+  double horizon = 0.0;  ///< [T] fast grains list what they can meet within this time, so that they force no rebuild
+  double gravity = 0.0;  ///< [L/T^2] by which they may speed up meanwhile
+};
+
+/// Pairs of grains that may touch before the list is next built: for each grain i its partners j > i in memory order,
+/// ascending, each with the history of the contact beside it. Pairs of two fixed grains are left out.
+///
+/// The list stays valid while every grain has moved less than its allowance since the list was built: half the skin,
+/// and for fast grains the way they go within the horizon besides.
+template <int D>
+class PairList {
+ public:
+  explicit PairList(const PairReach& reach) : reach_(reach) {}
+
+  /// Sorts the grains by place, drops those that have left the box and lists the pairs; histories of pairs that were
+  /// listed before are kept. Grains added since are at the end of the arrays. Returns, for each grain in its new place,
+  /// where it was before.
+  std::vector<std::uint32_t> build(Grains<D>& grains, const Box<D>& box, Team& team);
+
+  /// Forces the next `stale` to say yes: grains were added.
+  void invalidate() { valid_ = false; }
+
+  /// To be told after every step how far the fastest grain went [L].
+  void moved(double furthest) { travelled_ += furthest; }
+
+  /// Whether a cheap bound allows the list to be out of date; then `stale` decides.
+  bool suspect() const { return !valid_ || travelled_ > slack_; }
+
+  /// Looks at the true displacements: whether the list must be built again before the next forces.
+  bool stale(const Grains<D>& grains);
+
+  std::size_t rows() const { return row_start.empty() ? 0 : row_start.size() - 1; }
+  std::size_t pairs() const { return partner.size(); }
+  long builds() const { return builds_; }
+  double travelled() const { return travelled_; }
+  double slack() const { return slack_; }
+
+  /// Pairs whose places in memory lie further apart than this are far pairs; `bandwidth` is the widest of the others.
+  static constexpr std::uint32_t far = 1U << 15;
+  std::uint32_t bandwidth = 0;
+
+  std::vector<std::uint32_t> row_start;  ///< (n + 1) first pair of each grain
+  std::vector<std::uint32_t> partner;    ///< (pairs) memory place of j
+  std::vector<Tangent<D>> history;       ///< (pairs) [L] tangential displacement; zero when the pair is apart
+
+ private:
+  struct Extra {
+    std::uint32_t low;
+    std::uint32_t high;
+  };
+  double listed_within(const Grains<D>& grains, std::uint32_t i, std::uint32_t j) const {
+    return reach_.cutoff * (grains.line[i].radius + grains.line[j].radius) + reach_.skin;
+  }
+  double set_allowances(const Grains<D>& grains);
+  template <class Grid>
+  std::vector<Extra> pairs_of_fast_grains(const Grains<D>& grains, const Box<D>& box, const Grid& grid,
+                                          double furthest_travel) const;
+  template <class Grid>
+  void list_row(const Grains<D>& grains, const Box<D>& box, const Grid& grid, std::uint32_t i,
+                std::vector<std::uint32_t>& row) const;
+
+  PairReach reach_;
+  bool valid_ = false;
+  double travelled_ = 0.0;  // bound on the way of any grain since the last look
+  double slack_ = 0.0;      // how far any grain may go after the last look
+  long builds_ = 0;
+  std::vector<Vec<D>> built_at_;   // positions when the list was built
+  std::vector<double> allowance_;  // [L] how far each grain may go from there
+};
+
+}  // namespace repose

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/run/setup.hpp"
+
+#include <cmath>
+
+#include "repose/methods/soft/soft.hpp"
+
+namespace repose {
+
+namespace {
+
+std::vector<double> row_places(const Scene& scene) {
+  const double spacing = scene.base.spacing;
+  std::vector<double> places;
+  if (scene.box.x == "periodic") {
+    const long count = std::lround(2.0 * scene.box.half_width / spacing);
+    for (long k = 0; k < count; ++k) places.push_back(static_cast<double>(k - count / 2) * spacing);
+  } else {
+    const long side = static_cast<long>(std::floor(scene.base.half_width / spacing + 1e-9));
+    for (long k = -side; k <= side; ++k) places.push_back(static_cast<double>(k) * spacing);
+  }
+  return places;
+}
+
+}  // namespace
+
+Grain<2> make_grain(const Scene& scene, double diameter) {
+  Grain<2> grain;
+  grain.radius = 0.5 * diameter;
+  grain.mass = scene.grains.mass * std::pow(diameter / scene.grains.diameter, 2);
+  grain.inverse_mass = 1.0 / grain.mass;
+  return grain;
+}
+
+Grains<2> initial_grains(const Scene& scene) {
+  Grains<2> grains;
+  std::int64_t id = 0;
+  if (scene.base.kind == "row") {
+    for (const double x : row_places(scene)) {
+      auto grain = make_grain(scene, scene.grains.diameter);
+      grain.inverse_mass = 0.0;
+      grain.position[0] = x;
+      grains.add(grain, id++, true);
+    }
+  }
+  for (const auto& placed : scene.placed) {
+    auto grain = make_grain(scene, placed.diameter);
+    for (int k = 0; k < 2; ++k) {
+      grain.position[k] = placed.position[static_cast<std::size_t>(k)];
+      grain.velocity[k] = placed.velocity[static_cast<std::size_t>(k)];
+    }
+    grain.rim_velocity = placed.spin * grain.radius;
+    if (placed.fixed) {
+      grain.inverse_mass = 0.0;
+      grain.velocity = {};
+      grain.rim_velocity = 0.0;
+    }
+    grains.add(grain, id++);
+  }
+  return grains;
+}
+
+std::vector<Plane<2>> make_planes(const Scene& scene) {
+  std::vector<Plane<2>> planes;
+  if (scene.base.kind == "plane") planes.push_back({{{0.0, 0.0}}, {{0.0, 1.0}}, scene.base.smooth});
+  for (const auto& wall : scene.planes) {
+    const Vec<2> normal{{wall.normal[0], wall.normal[1]}};
+    planes.push_back({{{wall.point[0], wall.point[1]}}, normal * (1.0 / magnitude(normal)), wall.smooth});
+  }
+  return planes;
+}
+
+Box<2> make_box(const Scene& scene) {
+  Box<2> box;
+  box.periodic = scene.box.x == "periodic";
+  box.x_min = -scene.box.half_width;
+  box.x_max = scene.box.half_width;
+  constexpr double fall_below_base = 5.0;  // diameters below a row of grains: nothing comes back from there
+  if (scene.base.kind == "row") box.floor = -fall_below_base * scene.largest_diameter();
+  return box;
+}
+
+std::unique_ptr<Method<2>> make_method(const Scene& scene) {
+  SoftSettings<2> settings;
+  settings.time_step = scene.time_step();
+  settings.gravity = {{0.0, -scene.gravity}};
+  settings.box = make_box(scene);
+  settings.planes = make_planes(scene);
+  settings.synchronised = scene.synchronised();
+  settings.skin = scene.method.skin;
+  return make_soft<2>(scene.contact.normal, scene.contact.tangential, settings);
+}
+
+}  // namespace repose

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "repose/core/grains.hpp"
+#include "repose/methods/method.hpp"
+#include "repose/methods/soft/settings.hpp"
+#include "repose/scene/scene.hpp"
+
+namespace repose {
+
+/// A grain of this diameter at rest at the origin; mass goes with the square of the diameter.
+Grain<2> make_grain(const Scene& scene, double diameter);
+
+/// The grains that are there at the start: the base first, by ascending x, then the placed ones.
+Grains<2> initial_grains(const Scene& scene);
+
+/// The planes of the scene, a base plane first.
+std::vector<Plane<2>> make_planes(const Scene& scene);
+
+Box<2> make_box(const Scene& scene);
+
+/// The method of the scene, ready to run.
+std::unique_ptr<Method<2>> make_method(const Scene& scene);
+
+}  // namespace repose

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/run/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+#include "repose/analysis/force_network.hpp"
+#include "repose/run/setup.hpp"
+
+namespace repose {
+
+namespace {
+
+/// Beyond this the centres are closer than a quarter of the mean diameter: no law is meant for that.
+constexpr double largest_overlap = 0.75;
+
+long in_steps(double time, double time_step) { return std::max(1L, std::lround(time / time_step)); }
+
+}  // namespace
+
+std::string status_text(Status status) {
+  switch (status) {
+    case Status::running: return "running";
+    case Status::finished: return "finished";
+    case Status::interrupted: return "interrupted";
+    case Status::failed: return "failed";
+  }
+  return "";
+}
+
+Simulation::Simulation(Scene scene, int threads)
+    : scene_(std::move(scene)),
+      team_(threads),
+      grains_(initial_grains(scene_)),
+      method_(make_method(scene_)),
+      time_step_(method_->time_step()),
+      pour_(scene_, time_step_, static_cast<std::int64_t>(grains_.size())),
+      placed_(static_cast<std::int64_t>(moving_count(grains_))),
+      observe_every_(in_steps(scene_.output.series, time_step_)),
+      frame_every_(scene_.output.frames > 0.0
+                       ? std::max(1L, std::lround(scene_.output.frames / (static_cast<double>(observe_every_) * time_step_))) *
+                             observe_every_
+                       : 0) {
+  for (std::size_t k = 0; k < grains_.size(); ++k) {
+    if (grains_.line[k].fixed()) fixed_ids_.push_back(grains_.id[k]);
+  }
+  moving_ = moving_count(grains_);
+  method_->grains_added(grains_);
+}
+
+double Simulation::wall_seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+}
+
+std::int64_t Simulation::grains_lost() const {
+  return placed_ + pour_.released() - static_cast<std::int64_t>(moving_count(grains_));
+}
+
+long Simulation::next_stop() const {
+  long next = (step_ / observe_every_ + 1) * observe_every_;
+  if (!pour_.done()) next = std::min(next, pour_.next_step());
+  if (scene_.stop.time) next = std::min(next, in_steps(*scene_.stop.time, time_step_));
+  return next;
+}
+
+void Simulation::release_due_grains() {
+  bool added = false;
+  while (!pour_.done() && pour_.next_step() <= step_ && pour_.release(grains_, step_)) added = true;
+  if (!added) return;
+  method_->grains_added(grains_);
+  moving_ = moving_count(grains_);
+}
+
+void Simulation::run(const Hooks& hooks, const std::atomic<bool>& interrupt) {
+  started_ = std::chrono::steady_clock::now();
+  release_due_grains();
+  while (status_ == Status::running) {
+    const auto report = method_->advance(grains_, next_stop() - step_, team_);
+    step_ += report.steps;
+    grain_steps_ += static_cast<double>(report.steps) * static_cast<double>(moving_);
+    if (report.trouble) {
+      stop(Status::failed, describe_trouble(contacts()));
+      break;
+    }
+    const bool out_of_time = scene_.stop.time && step_ >= in_steps(*scene_.stop.time, time_step_);
+    if (step_ % observe_every_ == 0 || out_of_time) observe(hooks);
+    if (status_ == Status::running && out_of_time) {
+      stop(Status::finished, fmt::format("reached stop.time = {}", *scene_.stop.time));
+    }
+    if (status_ == Status::running && interrupt) stop(Status::interrupted, "interrupted");
+    if (status_ == Status::running) release_due_grains();
+  }
+}
+
+void Simulation::observe(const Hooks& hooks) {
+  moving_ = moving_count(grains_);
+  record_reactions();
+  const auto contacts = method_->contacts(grains_);
+  SeriesRow row;
+  row.time = time();
+  row.grains = static_cast<std::int64_t>(moving_);
+  const double threshold = scene_.analysis.force_threshold * scene_.grain_weight();
+  row.contacts = std::count_if(contacts.list.begin(), contacts.list.end(),
+                               [&](const auto& contact) { return contact.normal_force > threshold; });
+  row.kinetic_energy_per_grain = moving_ > 0 ? kinetic_energy(grains_) / static_cast<double>(moving_) : 0.0;
+  row.force_residual = force_residual(grains_, contacts, Vec<2>{{0.0, -scene_.gravity}});
+  row.max_overlap = max_overlap(contacts);
+  series_.push_back(row);
+
+  constexpr double longest_wait = 100.0;
+  if (row.max_overlap > largest_overlap) {
+    stop(Status::failed, describe_trouble(contacts));
+  } else if (at_rest()) {
+    stop(Status::finished, fmt::format("at rest: kinetic energy per grain and force residual below stop.at_rest = {}",
+                                       *scene_.stop.at_rest));
+  } else if (!pour_.done() &&
+             pour_.waiting(step_) > longest_wait * std::sqrt(scene_.grains.diameter / scene_.gravity)) {
+    stop(Status::failed, fmt::format("the source is buried: grain {} of {} finds no room at height {}",
+                                     pour_.released() + 1, pour_.count(), scene_.source.height));
+  }
+  if (hooks.observed) hooks.observed(*this);
+  if (hooks.frame && status_ == Status::running && frame_every_ > 0 && step_ % frame_every_ == 0) hooks.frame(*this);
+}
+
+bool Simulation::at_rest() const {
+  if (!scene_.stop.at_rest || !pour_.done()) return false;
+  const double energy_unit = scene_.grain_weight() * scene_.grains.diameter;
+  const auto& now = series_.back();
+  return now.kinetic_energy_per_grain < *scene_.stop.at_rest * energy_unit &&
+         now.force_residual < *scene_.stop.at_rest;
+}
+
+void Simulation::record_reactions() {
+  Stretch stretch;
+  stretch.start = window_.empty() ? 0.0 : window_.back().end;
+  stretch.end = time();
+  stretch.impulse.resize(fixed_ids_.size());
+  for (std::size_t k = 0; k < grains_.size(); ++k) {
+    if (!grains_.line[k].fixed()) continue;
+    const auto place = std::lower_bound(fixed_ids_.begin(), fixed_ids_.end(), grains_.id[k]) - fixed_ids_.begin();
+    stretch.impulse[static_cast<std::size_t>(place)] = grains_.reaction[k];
+    grains_.reaction[k] = {};
+  }
+  window_.push_back(std::move(stretch));
+  while (window_.size() > 1 && window_[1].start <= time() - scene_.output.window + 1e-9 * time_step_) {
+    window_.pop_front();
+  }
+}
+
+BaseProfile Simulation::base_profile() const {
+  BaseProfile profile;
+  if (window_.empty()) return profile;
+  profile.window_start = window_.front().start;
+  profile.window_end = window_.back().end;
+  const double scale = 1.0 / ((profile.window_end - profile.window_start) * scene_.grain_weight());
+  for (const auto k : by_id(grains_)) {
+    if (!grains_.base[k]) continue;
+    const auto place = std::lower_bound(fixed_ids_.begin(), fixed_ids_.end(), grains_.id[k]) - fixed_ids_.begin();
+    Vec<2> impulse;
+    for (const auto& stretch : window_) impulse += stretch.impulse[static_cast<std::size_t>(place)];
+    profile.id.push_back(grains_.id[k]);
+    profile.x.push_back(grains_.line[k].position[0]);
+    profile.normal.push_back(-impulse[1] * scale);
+    profile.shear.push_back(impulse[0] * scale);
+  }
+  return profile;
+}
+
+double Simulation::force_on_supports(const Contacts<2>& contacts) const {
+  double force = 0.0;
+  if (!window_.empty()) {
+    const double duration = window_.back().end - window_.front().start;
+    for (const auto& stretch : window_) {
+      for (const auto& impulse : stretch.impulse) force -= impulse[1] / duration;
+    }
+  }
+  for (const auto& contact : contacts.list) {
+    if (contact.second < 0) force += force_of(contact)[1];
+  }
+  return force;
+}
+
+void Simulation::stop(Status status, std::string message) {
+  status_ = status;
+  message_ = std::move(message);
+}
+
+std::string Simulation::describe_trouble(const Contacts<2>& contacts) const {
+  std::vector<std::string> found;
+  for (const auto k : by_id(grains_)) {
+    const auto& grain = grains_.line[k];
+    const double speed = magnitude(grain.velocity);
+    const bool finite = std::isfinite(speed) && std::isfinite(grain.position[0]) && std::isfinite(grain.position[1]);
+    if (!finite) {
+      found.push_back(fmt::format("grain {} is not a number", grains_.id[k]));
+    } else if (speed * time_step_ >= grain.radius) {
+      found.push_back(fmt::format("grain {} moves at {:.3g}, more than its radius in a step", grains_.id[k], speed));
+    }
+  }
+  for (const auto& contact : contacts.list) {
+    if (contact.relative_overlap <= largest_overlap) continue;
+    found.push_back(fmt::format("grains {} and {} overlap by {:.2g} diameters", contact.first, contact.second,
+                                contact.relative_overlap));
+  }
+  constexpr std::size_t most = 8;
+  std::string text = fmt::format("the grains explode at time {:.6g} (step {}): ", time(), step_);
+  for (std::size_t k = 0; k < std::min(most, found.size()); ++k) text += (k > 0 ? "; " : "") + found[k];
+  if (found.size() > most) text += fmt::format("; and {} more", found.size() - most);
+  return text + ". A smaller method.time_step or a stiffer contact may help";
+}
+
+}  // namespace repose

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "repose/analysis/base_profile.hpp"
+#include "repose/core/contacts.hpp"
+#include "repose/core/grains.hpp"
+#include "repose/core/team.hpp"
+#include "repose/methods/method.hpp"
+#include "repose/run/pour.hpp"
+#include "repose/scene/scene.hpp"
+
+namespace repose {
+
+/// One row of the time series.
+struct SeriesRow {
+  double time = 0.0;                      ///< [T]
+  std::int64_t grains = 0;                ///< moving grains present
+  std::int64_t contacts = 0;              ///< above the force threshold of the analysis
+  double kinetic_energy_per_grain = 0.0;  ///< [M L^2/T^2]
+  double force_residual = 0.0;            ///< see analysis/force_network.hpp
+  double max_overlap = 0.0;               ///< over the mean diameter of the pair
+};
+
+enum class Status { running, finished, interrupted, failed };
+std::string status_text(Status status);
+
+/// A scene at work: its method, source, stops and observers.
+class Simulation {
+ public:
+  Simulation(Scene scene, int threads);
+
+  /// What to do at every observation, and where a frame is due.
+  struct Hooks {
+    std::function<void(const Simulation&)> observed;
+    std::function<void(const Simulation&)> frame;
+  };
+
+  /// Runs until a stop of the scene, trouble, or `interrupt` becomes true.
+  void run(const Hooks& hooks, const std::atomic<bool>& interrupt);
+
+  const Scene& scene() const { return scene_; }
+  const Grains<2>& grains() const { return grains_; }
+  Contacts<2> contacts() const { return method_->contacts(grains_); }
+  const std::vector<SeriesRow>& series() const { return series_; }
+  BaseProfile base_profile() const;
+  /// Vertical force [M L/T^2] that the moving grains put on fixed grains (mean over the window) and planes (now).
+  double force_on_supports(const Contacts<2>& contacts) const;
+
+  Status status() const { return status_; }
+  const std::string& message() const { return message_; }  ///< why it stopped
+  double time() const { return static_cast<double>(step_) * time_step_; }
+  double time_step() const { return time_step_; }
+  long steps() const { return step_; }
+  int threads() const { return team_.size(); }
+  double grain_steps() const { return grain_steps_; }  ///< moving grains times steps
+  double wall_seconds() const;
+  std::int64_t released() const { return pour_.released(); }
+  std::int64_t grains_lost() const;
+
+ private:
+  /// Force on the fixed grains over one stretch between observations.
+  struct Stretch {
+    double start = 0.0;
+    double end = 0.0;
+    std::vector<Vec<2>> impulse;  // per fixed grain, by id order
+  };
+
+  long next_stop() const;
+  void release_due_grains();
+  void observe(const Hooks& hooks);
+  void record_reactions();
+  bool at_rest() const;
+  void stop(Status status, std::string message);
+  std::string describe_trouble(const Contacts<2>& contacts) const;
+
+  Scene scene_;
+  Team team_;
+  Grains<2> grains_;
+  std::unique_ptr<Method<2>> method_;
+  double time_step_;
+  Pour pour_;
+  std::int64_t placed_ = 0;  // moving grains at the start
+  std::vector<std::int64_t> fixed_ids_;
+  long observe_every_;
+  long frame_every_;  // in steps; 0: never
+  long step_ = 0;
+  double grain_steps_ = 0.0;
+  std::size_t moving_ = 0;
+  std::deque<Stretch> window_;
+  std::vector<SeriesRow> series_;
+  Status status_ = Status::running;
+  std::string message_;
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace repose

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/scene/read.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "repose/core/errors.hpp"
+#include "repose/laws/time_step.hpp"
+#include "repose/scene/reader.hpp"
+
+namespace repose {
+
+namespace {
+
+toml::table parsed(const std::string& text, const std::string& name) {
+  try {
+    return toml::parse(text, name);
+  } catch (const toml::parse_error& error) {
+    throw InputError(fmt::format("{}:{}: {}", name, error.source().begin.line, error.description()));
+  }
+}
+
+std::string trimmed(const std::string& text) {
+  const auto begin = text.find_first_not_of(" \t");
+  if (begin == std::string::npos) return "";
+  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
+
+/// Puts "a.b=value" into the table; returns the key, or adds a problem and returns "".
+std::string apply(const std::string& setting, toml::table& root, std::vector<std::string>& problems) {
+  const auto equals = setting.find('=');
+  const std::string key = trimmed(setting.substr(0, equals));
+  if (equals == std::string::npos || key.empty()) {
+    problems.push_back(fmt::format("--set {}: must be KEY=VALUE", setting));
+    return "";
+  }
+  const std::string value = trimmed(setting.substr(equals + 1));
+  toml::table holder;
+  try {
+    holder = toml::parse("value = " + value);
+  } catch (const toml::parse_error&) {
+    holder.insert_or_assign("value", value);  // a bare word is text
+  }
+  toml::table* table = &root;
+  std::string rest = key;
+  for (auto dot = rest.find('.'); dot != std::string::npos; dot = rest.find('.')) {
+    const std::string step = rest.substr(0, dot);
+    if (table->get(step) == nullptr) table->insert(step, toml::table{});
+    table = table->get(step)->as_table();
+    if (table == nullptr) {
+      problems.push_back(fmt::format("--set {}: \"{}\" is not a table", setting, step));
+      return "";
+    }
+    rest = rest.substr(dot + 1);
+  }
+  table->insert_or_assign(rest, *holder.get("value"));
+  return key;
+}
+
+/// What one key alone cannot tell.
+void check_together(const Scene& scene, Reader& reader) {
+  const bool continuous = std::holds_alternative<Continuous>(scene.contact.normal);
+  if (continuous && scene.gravity == 0.0 && reader.sound("gravity")) {
+    reader.problem("gravity", " = 0: the continuous law has its force scale from gravity; use hooke or gravity > 0");
+  }
+  if (scene.source.kind == "none" && scene.placed.empty()) {
+    reader.problem("source.kind", ": there are no grains: needs source.kind = \"pour\" or at least one [[grain]]");
+  }
+  if (scene.source.kind == "pour" && scene.gravity == 0.0 && reader.sound("gravity")) {
+    reader.problem("source.kind", " = \"pour\": needs gravity > 0");
+  }
+  if (!scene.stop.time && !scene.stop.at_rest && reader.sound("stop.time") && reader.sound("stop.at_rest")) {
+    reader.problem("stop", ": missing: give time, at_rest or both; the run ends at whichever comes first");
+  }
+  const double d = scene.grains.diameter;
+  if (scene.box.x == "periodic" && reader.sound("box.half_width")) {
+    if (scene.box.half_width < 4.0 * scene.largest_diameter()) {
+      reader.problem("box.half_width", fmt::format(" = {}: a periodic box must be at least 8 diameters wide",
+                                                   scene.box.half_width));
+    }
+    const double discs = 2.0 * scene.box.half_width / scene.base.spacing;
+    if (scene.base.kind == "row" && reader.sound("base.spacing") && std::fabs(discs - std::round(discs)) > 1e-9 * discs) {
+      reader.problem("base.spacing",
+                     fmt::format(" = {}: must divide the width {} of the periodic box into whole spacings",
+                                 scene.base.spacing, 2.0 * scene.box.half_width));
+    }
+  } else if (scene.base.kind == "row" && reader.sound("base.half_width") && reader.sound("box.half_width") &&
+             scene.box.half_width < scene.base.half_width) {
+    reader.problem("box.half_width", fmt::format(" = {}: must be at least base.half_width = {}", scene.box.half_width,
+                                                 scene.base.half_width));
+  }
+  if (scene.base.kind == "row" && reader.sound("base.spacing") && reader.sound("grains.diameter") &&
+      scene.base.spacing >= 2.0 * d) {
+    reader.problem("base.spacing",
+                   fmt::format(" = {}: must be < {}, two diameters, or grains fall through the base [L]",
+                               scene.base.spacing, 2.0 * d));
+  }
+  if (scene.source.kind == "pour" && reader.sound("source.half_width") && reader.sound("box.half_width") &&
+      std::fabs(scene.source.x) + scene.source.half_width > scene.box.half_width) {
+    reader.problem("source.half_width", fmt::format(" = {}: the opening must lie within the box, x = +-{}",
+                                                    scene.source.half_width, scene.box.half_width));
+  }
+  for (std::size_t k = 0; k < scene.planes.size(); ++k) {
+    if (scene.planes[k].normal == std::array<double, 2>{}) {
+      const auto key = fmt::format("plane[{}].normal", k);
+      if (reader.sound(key)) reader.problem(key, " = [0, 0]: must have a direction");
+    }
+  }
+}
+
+/// The explicit step against the stiffest contact; only where all that it depends on is sound.
+void check_time_step(const Scene& scene, Reader& reader) {
+  if (!scene.method.time_step || !reader.problems().empty()) return;
+  const double frequency = scene.contact_frequency();
+  const double step = *scene.method.time_step;
+  if (step * frequency <= largest_phase) return;
+  reader.problem("method.time_step",
+                 fmt::format(" = {}: unstable: the stiffest contact (a fall from the source) has the frequency w = {:.4g}"
+                             " and w dt = {:.3g} > 1; the largest step that is not refused is {:.4g}, \"auto\" takes "
+                             "{:.4g} [T]",
+                             step, frequency, step * frequency, std::nextafter(largest_phase / frequency, 0.0),
+                             auto_phase / frequency));
+}
+
+}  // namespace
+
+Scene read_scene_text(const std::string& text, const std::string& name, const Overrides& overrides) {
+  toml::table root = parsed(text, name);
+  std::vector<std::string> problems;
+  std::vector<std::pair<std::string, std::string>> from_command_line;
+  for (const auto& setting : overrides.set) {
+    const auto key = apply(setting, root, problems);
+    if (!key.empty()) from_command_line.emplace_back(key, "--set " + setting);
+  }
+  if (overrides.seed) {
+    root.insert_or_assign("seed", *overrides.seed);
+    from_command_line.emplace_back("seed", "--seed");
+  }
+  Reader reader(root, name);
+  for (const auto& [key, option] : from_command_line) reader.from_command_line(key, option);
+  Scene scene;
+  go_through(scene, reader);
+  reader.report_unknown_keys();
+  check_together(scene, reader);
+  check_time_step(scene, reader);
+  problems.insert(problems.end(), reader.problems().begin(), reader.problems().end());
+  if (!problems.empty()) throw InputError(problems);
+  return scene;
+}
+
+Scene read_scene(const std::string& path, const Overrides& overrides) {
+  errno = 0;
+  if (std::filesystem::is_directory(path)) throw InputError(fmt::format("{}: cannot read: is a folder", path));
+  std::ifstream file(path);
+  std::ostringstream text;
+  if (file) text << file.rdbuf();
+  if (!file) throw InputError(fmt::format("{}: cannot read: {}", path, std::strerror(errno != 0 ? errno : EIO)));
+  return read_scene_text(text.str(), path, overrides);
+}
+
+}  // namespace repose

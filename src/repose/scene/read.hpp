@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "repose/scene/scene.hpp"
+
+namespace repose {
+
+/// What the command line changes in a scene.
+struct Overrides {
+  std::vector<std::string> set;  ///< "key=value", the value as in the file; a bare word is taken as text
+  std::optional<std::int64_t> seed;
+};
+
+/// Reads and checks a scene file. Throws InputError with every problem found, one line each:
+/// "file:line: key = value: what is allowed".
+Scene read_scene(const std::string& path, const Overrides& overrides = {});
+
+/// The same for the text of a scene; `name` stands for the file in messages.
+Scene read_scene_text(const std::string& text, const std::string& name, const Overrides& overrides = {});
+
+}  // namespace repose

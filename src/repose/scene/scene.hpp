@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "repose/laws/registry.hpp"
+
+namespace repose {
+
+/// What is there and what is to be done: a scene file, read and checked. Nothing here runs.
+/// Every key is described once, in scene/keys.cpp, for the reader, the writer and the reference.
+struct Scene {
+  std::string title;
+  std::string units = "reduced";
+  std::int64_t seed = 1;
+  double gravity = 1.0;  ///< [L/T^2] along -y
+
+  struct Method {
+    std::string kind;
+    std::optional<double> time_step;  ///< [T]; none: "auto"
+    std::string velocities;           ///< "auto", "half-step" or "synchronised"
+    double skin = 0.0;                ///< [L]
+  } method;
+
+  struct GrainSizes {
+    double diameter = 1.0;        ///< [L] the largest, and that of base grains
+    double mass = 1.0;            ///< [M] of a grain of that diameter
+    double polydispersity = 0.0;  ///< sizes uniform in [(1 - p) d, d]
+  } grains;
+
+  struct Contact {
+    double friction = 0.0;
+    NormalLaw normal;
+    TangentialLaw tangential;
+  } contact;
+
+  struct Base {
+    std::string kind;         ///< "row", "plane" or "none"
+    double spacing = 0.0;     ///< [L] between the centres of a row
+    double half_width = 0.0;  ///< [L]
+    bool smooth = false;      ///< of a plane
+  } base;
+
+  struct Region {
+    std::string x;            ///< "open" or "periodic"
+    double half_width = 0.0;  ///< [L]
+  } box;
+
+  struct Wall {
+    std::array<double, 2> point{};
+    std::array<double, 2> normal{};
+    bool smooth = false;
+  };
+  std::vector<Wall> planes;
+
+  struct Placed {
+    std::array<double, 2> position{};
+    std::array<double, 2> velocity{};
+    double spin = 0.0;
+    double diameter = 0.0;
+    bool fixed = false;
+  };
+  std::vector<Placed> placed;
+
+  struct Source {
+    std::string kind;         ///< "pour" or "none"
+    std::int64_t count = 0;
+    double rate = 0.0;        ///< [1/T]
+    double height = 0.0;      ///< [L] above the base
+    double half_width = 0.0;  ///< [L]
+    double x = 0.0;           ///< [L]
+  } source;
+
+  struct Stop {
+    std::optional<double> at_rest;
+    std::optional<double> time;  ///< [T]
+  } stop;
+
+  struct Output {
+    double series = 0.0;  ///< [T] between two rows of the time series
+    double frames = 0.0;  ///< [T] between two saved frames; 0: none
+    double window = 0.0;  ///< [T] over which base forces are averaged
+  } output;
+
+  struct Analysis {
+    double bin_width = 0.0;        ///< [L]
+    double force_threshold = 0.0;  ///< [grain weights]
+  } analysis;
+
+  double grain_weight() const { return grains.mass * gravity; }
+  double smallest_diameter() const;
+  double largest_diameter() const;
+  double time_step() const;          ///< [T] given or automatic
+  bool synchronised() const;         ///< given, or chosen for size ratios above 2
+  double contact_frequency() const;  ///< [1/T] of the stiffest contact that the time step is judged by
+};
+
+/// Size ratio above which velocities are predicted for the full step unless the scene says otherwise.
+inline constexpr double synchronised_above_ratio = 2.0;
+
+}  // namespace repose

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/scene/write.hpp"
+
+#include <fmt/format.h>
+
+#include "repose/scene/keys.hpp"
+
+namespace repose {
+
+namespace {
+
+std::string quoted(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+      out += fmt::format("\\u{:04x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    } else {
+      out += c;
+    }
+  }
+  return out + "\"";
+}
+
+/// The shortest text that reads back as the same double, always with a point or an exponent.
+std::string number_text(double value) {
+  std::string text = fmt::format("{}", value);
+  if (text.find_first_of(".en") == std::string::npos) text += ".0";
+  return text;
+}
+
+class Writer final : public Keys {
+ public:
+  void number(const std::string& key, double& value, double, const Bounds&, std::string_view unit,
+              std::string_view about) override {
+    line(key, number_text(value), unit, about);
+  }
+  void optional_number(const std::string& key, std::optional<double>& value, std::string_view none, const Bounds&,
+                       std::string_view unit, std::string_view about) override {
+    if (value) {
+      line(key, number_text(*value), unit, about);
+    } else if (!none.empty()) {
+      line(key, quoted(none), unit, about);
+    }
+  }
+  void integer(const std::string& key, std::int64_t& value, std::optional<std::int64_t>, std::int64_t,
+               std::string_view about) override {
+    line(key, fmt::format("{}", value), "", about);
+  }
+  void flag(const std::string& key, bool& value, bool, std::string_view about) override {
+    line(key, value ? "true" : "false", "", about);
+  }
+  void text(const std::string& key, std::string& value, std::string_view, std::string_view about) override {
+    line(key, quoted(value), "", about);
+  }
+  void choice(const std::string& key, std::string& value, std::string_view, const std::vector<std::string>&,
+              std::string_view about) override {
+    line(key, quoted(value), "", about);
+  }
+  void vector(const std::string& key, std::array<double, 2>& value, std::optional<std::array<double, 2>>,
+              std::string_view unit, std::string_view about) override {
+    line(key, fmt::format("[{}, {}]", number_text(value[0]), number_text(value[1])), unit, about);
+  }
+  void tables(const std::string& key, const std::function<std::size_t(std::size_t)>& resize,
+              const std::function<void(const std::string& prefix, std::size_t index)>& each) override {
+    const auto count = resize(0);
+    for (std::size_t k = 0; k < count; ++k) {
+      out_ += fmt::format("\n[[{}]]\n", key);
+      section_ = fmt::format("{}[{}]", key, k);
+      each(section_ + ".", k);
+    }
+  }
+
+  const std::string& out() const { return out_; }
+
+ private:
+  void line(const std::string& key, const std::string& value, std::string_view unit, std::string_view about) {
+    const auto dot = key.rfind('.');
+    const std::string section = dot == std::string::npos ? "" : key.substr(0, dot);
+    if (section != section_) {
+      section_ = section;
+      out_ += fmt::format("\n[{}]\n", section);
+    }
+    const std::string name = dot == std::string::npos ? key : key.substr(dot + 1);
+    out_ += fmt::format("{} = {}  # {}{}\n", name, value, unit.empty() ? "" : fmt::format("[{}] ", unit), about);
+  }
+
+  std::string out_;
+  std::string section_;
+};
+
+}  // namespace
+
+std::string scene_text(const Scene& scene) {
+  Scene copy = scene;  // the walk is the reader's too and may write; on a complete scene it changes nothing
+  Writer writer;
+  go_through(copy, writer);
+  return writer.out();
+}
+
+}  // namespace repose

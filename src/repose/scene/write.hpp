@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "repose/scene/scene.hpp"
+
+namespace repose {
+
+/// The scene as a TOML file with every key, defaults filled in, units and meaning beside each.
+std::string scene_text(const Scene& scene);
+
+}  // namespace repose
