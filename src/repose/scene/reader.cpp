@@ -25,6 +25,10 @@ std::string_view type_name(const toml::node& node) {
 }
 
 std::string value_text(const toml::node& node) {
+  if (const auto number = node.is_floating_point() ? node.value<double>() : std::nullopt) {
+    return fmt::format("{}", *number);
+  }
+  if (const auto text = node.value<std::string>(); node.is_string()) return fmt::format("\"{}\"", *text);
   std::ostringstream out;
   node.visit([&](const auto& value) { out << value; });
   return out.str();
@@ -106,15 +110,13 @@ void Reader::number(const std::string& key, double& value, double fallback, cons
                     std::string_view unit, std::string_view about) {
   asked_.insert(key);
   const auto* node = find(key);
+  // Something sound to go on with, so that one problem does not bring about others.
+  value = std::isnan(fallback) ? 1.0 : fallback;
   if (node == nullptr) {
-    value = fallback;
     if (std::isnan(fallback)) missing(key, about);
     return;
   }
-  if (!node->is_number()) {
-    value = fallback;
-    return wrong_type(key, *node, "a number");
-  }
+  if (!node->is_number()) return wrong_type(key, *node, "a number");
   value = *node->value<double>();
   check_bounds(key, *node, value, bounds, unit);
 }

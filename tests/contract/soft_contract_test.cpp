@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "support/every_law.hpp"
+#include "support/soft_world.hpp"
+
+// What the soft method must do with any law, in 2D and 3D.
+
+namespace repose {
+namespace {
+
+using testing::for_every_pair_law;
+using testing::SoftWorld;
+
+template <int D>
+SoftSettings<D> isolated(double time_step) {
+  SoftSettings<D> settings;
+  settings.time_step = time_step;
+  return settings;
+}
+
+double angular(const Grain<2>& g) {
+  return g.mass * (g.position[0] * g.velocity[1] - g.position[1] * g.velocity[0]) + 0.5 * g.mass * g.radius * g.rim_velocity;
+}
+Vec<3> angular(const Grain<3>& g) {
+  return cross(g.position, g.velocity) * g.mass + g.rim_velocity * (0.4 * g.mass * g.radius);
+}
+
+// Momentum and angular momentum of an isolated cluster are kept to rounding: 3000 steps of forces of order 10 leave
+// less than 1e-12.
+template <int D>
+void check_momenta() {
+  for_every_pair_law([](const auto& law) {
+    SoftWorld<D, std::decay_t<decltype(law)>> world(law, isolated<D>(1e-3));
+    const auto at = [](double x, double y) {
+      Vec<D> v;
+      v[0] = x;
+      v[1] = y;
+      if constexpr (D == 3) v[2] = 0.3 * x - 0.2 * y;
+      return v;
+    };
+    const auto spin = [](double w) {
+      if constexpr (D == 2) {
+        return w;
+      } else {
+        return Vec<3>{{0.3 * w, -0.2 * w, w}};
+      }
+    };
+    world.add(at(0.0, 0.0), at(0.3, 0.1), spin(1.0), 0.5);
+    world.add(at(0.95, 0.1), at(-0.5, 0.2), spin(-2.0), 0.5);
+    world.add(at(0.4, 0.75), at(0.0, -0.6), spin(0.5), 0.35);
+    world.add(at(-0.35, 0.75), at(0.7, -0.9), spin(3.0), 0.3);
+    Vec<D> momentum;
+    auto spin_sum = decltype(angular(world.grains.line[0])){};
+    for (const auto& g : world.grains.line) {
+      momentum += g.velocity * g.mass;
+      spin_sum += angular(g);
+    }
+    world.advance(3000);
+    for (const auto& g : world.grains.line) {
+      momentum -= g.velocity * g.mass;
+      spin_sum -= angular(g);
+    }
+    EXPECT_LT(magnitude(momentum), 1e-12);
+    EXPECT_LT(magnitude(spin_sum), 1e-12);
+  });
+}
+
+TEST(SoftContract, KeepsMomenta2D) { check_momenta<2>(); }
+TEST(SoftContract, KeepsMomenta3D) { check_momenta<3>(); }
+
+// A sphere on a sphere rests where a disc does; on a plane a sliding sphere ends rolling at 5/7 of its speed.
+TEST(SoftContract, SpheresInThreeDimensions) {
+  auto settings = isolated<3>(1e-3);
+  settings.gravity = {{0.0, 0.0, -1.0}};
+  const PairLaw law{Continuous::make(36, 1.2, 0.5, 1.0), Cumulative{}};
+  SoftWorld<3, PairLaw<Continuous, Cumulative>> stack(law, settings);
+  stack.add({{0.0, 0.0, 0.0}}, {}, {}, 0.5, true);
+  const auto top = stack.add({{0.0, 0.0, 1.001}});
+  stack.advance(60000);
+  EXPECT_NEAR(stack[top].position[2], 1.0, 1e-9);
+
+  settings.planes = {{{{0.0, 0.0, 0.0}}, {{0.0, 0.0, 1.0}}, false}};
+  SoftWorld<3, PairLaw<Continuous, Cumulative>> floor(law, settings);
+  const auto slider = floor.add({{0.0, 0.0, 0.5}}, {{0.6, 0.8, 0.0}});
+  floor.advance(40000);
+  EXPECT_NEAR(magnitude(floor[slider].velocity), 5.0 / 7.0, 1e-3);
+  EXPECT_NEAR(floor[slider].velocity[0] / floor[slider].velocity[1], 0.75, 1e-3);
+}
+
+// Two materials: the law of each pair is taken from the table.
+TEST(SoftContract, LawsByMaterial) {
+  SoftSettings<2> settings;
+  settings.time_step = 1e-3;
+  settings.gravity = {{0.0, -1.0}};
+  using Law = PairLaw<Hooke, Cumulative>;
+  const Law soft_soft{Hooke{500.0, 0.5}, {}};
+  const Law soft_hard{Hooke{1000.0, 0.5}, {}};
+  const Law hard_hard{Hooke{4000.0, 0.5}, {}};
+  SoftWorld<2, Law> world(soft::LawsOfMaterials<Law>({soft_soft, soft_hard, soft_hard, hard_hard}, 2), settings);
+  world.add({{0.0, 0.0}}, {}, 0.0, 0.5, true, 0);
+  world.add({{5.0, 0.0}}, {}, 0.0, 0.5, true, 1);
+  const auto on_soft = world.add({{0.0, 1.0}}, {}, 0.0, 0.5, false, 1);
+  const auto on_hard = world.add({{5.0, 1.0}}, {}, 0.0, 0.5, false, 1);
+  world.advance(40000);
+  EXPECT_NEAR(world[on_soft].position[1], 1.0 - 1.0 / 1000.0, 1e-9);
+  EXPECT_NEAR(world[on_hard].position[1], 1.0 - 1.0 / 4000.0, 1e-9);
+}
+
+// Periodic x: a pair across the boundary is the pair shifted to the middle, to rounding.
+TEST(SoftContract, PeriodicPairIsAnyOtherPair) {
+  const auto run = [](double shift) {
+    auto settings = isolated<2>(1e-3);
+    settings.box.periodic = true;
+    settings.box.x_min = -5.0;
+    settings.box.x_max = 5.0;
+    SoftWorld<2, PairLaw<Continuous, Cumulative>> world({Continuous::make(36, 1.2, 0.5, 1.0), {}}, settings);
+    world.add({{shift - 0.6, 0.0}}, {{1.0, 0.0}}, 2.0);
+    world.add({{shift + 0.6, 0.3}}, {{-1.0, 0.0}}, 1.0);
+    world.advance(2000);
+    return std::array<double, 4>{world[0].velocity[0], world[0].velocity[1], world[0].rim_velocity, world[1].velocity[1]};
+  };
+  const auto middle = run(0.0);
+  const auto across = run(5.0);
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(across[k], middle[k], 1e-9);
+  EXPECT_LT(middle[0], 0.5);  // they met
+}
+
+TEST(SoftContract, TooFastGrainsAreReported) {
+  SoftWorld<2, PairLaw<Hooke, Cumulative>> world({Hooke{1e9, 0.5}, {}}, isolated<2>(1e-2));
+  world.add({{0.0, 0.0}});
+  world.add({{0.3, 0.0}});
+  const auto report = world.advance(100);
+  EXPECT_TRUE(report.trouble);
+  EXPECT_LT(report.steps, 5);
+  SoftWorld<2, PairLaw<Hooke, Cumulative>> nan({Hooke{1e3, 0.5}, {}}, isolated<2>(1e-2));
+  nan.add({{0.0, 0.0}});
+  nan.add({{0.0, 0.0}});  // same place: the normal is not a number
+  EXPECT_TRUE(nan.advance(10).trouble);
+}
+
+}  // namespace
+}  // namespace repose

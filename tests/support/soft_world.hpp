@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/methods/soft/soft.hpp"
+
+namespace repose::testing {
+
+/// A few grains under the soft method, for tests that put them where they want.
+template <int D, class Law>
+class SoftWorld {
+ public:
+  SoftWorld(Law law, SoftSettings<D> settings, int threads = 1)
+      : method_(soft::LawsOfMaterials<Law>(law), settings), team_(threads) {}
+  SoftWorld(soft::LawsOfMaterials<Law> laws, SoftSettings<D> settings, int threads = 1)
+      : method_(laws, settings), team_(threads) {}
+
+  /// Mass r^2 pi-free: 1 for radius 1/2. Returns the id.
+  std::int64_t add(Vec<D> position, Vec<D> velocity = {}, Spin<D> spin = {}, double radius = 0.5, bool fixed = false,
+                   std::uint16_t material = 0) {
+    Grain<D> grain;
+    grain.position = position;
+    grain.radius = radius;
+    grain.mass = 4.0 * radius * radius;
+    if (!fixed) {
+      grain.velocity = velocity;
+      grain.rim_velocity = spin * radius;
+      grain.inverse_mass = 1.0 / grain.mass;
+    }
+    grains.add(grain, static_cast<std::int64_t>(grains.size()), fixed, material);
+    method_.grains_added(grains);
+    return grains.id.back();
+  }
+
+  StepReport advance(long steps) { return method_.advance(grains, steps, team_); }
+  Contacts<D> contacts() const { return method_.contacts(grains); }
+  const Soft<D, Law>& method() const { return method_; }
+
+  /// The grain with this id.
+  Grain<D>& operator[](std::int64_t id) {
+    for (std::size_t k = 0; k < grains.size(); ++k) {
+      if (grains.id[k] == id) return grains.line[k];
+    }
+    throw std::out_of_range("no such grain");
+  }
+
+  Grains<D> grains;
+
+ private:
+  Soft<D, Law> method_;
+  Team team_;
+};
+
+inline SoftSettings<2> settings_2d(double time_step, double gravity) {
+  SoftSettings<2> settings;
+  settings.time_step = time_step;
+  settings.gravity = {{0.0, -gravity}};
+  return settings;
+}
+
+}  // namespace repose::testing

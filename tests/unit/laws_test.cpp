@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "repose/laws/contact_force.hpp"
+#include "repose/laws/time_step.hpp"
+
+namespace repose {
+namespace {
+
+Touch<double> touch_at(double distance, double cutoff, double closing_speed = 0.0, double mass = 1.0,
+                       double diameter = 1.0) {
+  return {distance, diameter, diameter - distance, cutoff * diameter - distance, closing_speed, mass};
+}
+
+// (3) with the exponent's sign put right: m g at r = s, and 1.2^-37 = 1.2e-3 m g at the cutoff.
+TEST(ContinuousLaw, ClosedForm) {
+  const auto law = Continuous::make(36, 1.2, 0.5, 1.0);
+  EXPECT_DOUBLE_EQ(normal_force(law, touch_at(1.0, 1.2)).elastic, 1.0);
+  EXPECT_NEAR(normal_force(law, touch_at(1.2, 1.2)).elastic, std::pow(1.2, -37), 1e-15);
+  EXPECT_NEAR(normal_force(law, touch_at(0.9, 1.2, 0.0, 0.7, 1.1)).elastic, 0.7 * std::pow(1.1 / 0.9, 37), 1e-9);
+  const auto uneven = Continuous::make(36.5, 1.2, 0.5, 2.0);
+  EXPECT_NEAR(normal_force(uneven, touch_at(0.95, 1.2)).elastic, 2.0 * std::pow(1.0 / 0.95, 37.5), 1e-9);
+}
+
+// Dashpot of 2 zeta sqrt(m k) with k = -dF/dr = (n+1) F / r; never attractive unless asked.
+TEST(ContinuousLaw, Damping) {
+  auto law = Continuous::make(36, 1.2, 0.5, 1.0);
+  const double dashpot = std::sqrt(37.0);
+  EXPECT_NEAR(normal_force(law, touch_at(1.0, 1.2, 0.1)).total, 1.0 + 0.1 * dashpot, 1e-12);
+  EXPECT_EQ(normal_force(law, touch_at(1.0, 1.2, -5.0)).total, 0.0);
+  law.attraction = true;
+  EXPECT_NEAR(normal_force(law, touch_at(1.0, 1.2, -5.0)).total, 1.0 - 5.0 * dashpot, 1e-12);
+}
+
+TEST(HookeLaw, ClosedForm) {
+  const Hooke law{500.0, 0.5};
+  EXPECT_NEAR(normal_force(law, touch_at(0.98, 1.0)).elastic, 10.0, 1e-10);
+  EXPECT_NEAR(normal_force(law, touch_at(0.98, 1.0, 0.2)).total, 10.0 + 0.2 * std::sqrt(500.0), 1e-10);
+  EXPECT_EQ(normal_force(law, touch_at(0.98, 1.0, -20.0)).total, 0.0);
+}
+
+// The force is minus the slope of the energy, and the stiffness that of the force (central differences, h = 1e-5).
+TEST(NormalLaws, EnergyForceAndStiffnessAgree) {
+  const auto check = [](const auto& law) {
+    const double mass = 0.8;
+    const double diameter = 0.9;
+    const double h = 1e-5;
+    for (const double r : {0.7, 0.8, 0.85}) {
+      const auto energy = [&](double at) { return elastic_energy(law, mass, diameter, at); };
+      const auto force = [&](double at) {
+        return normal_force(law, touch_at(at, reach(law), 0.0, mass, diameter)).elastic;
+      };
+      EXPECT_NEAR(-(energy(r + h) - energy(r - h)) / (2 * h) / force(r), 1.0, 1e-6);
+      EXPECT_NEAR(-(force(r + h) - force(r - h)) / (2 * h) / stiffness_at(law, mass, diameter, energy(r)), 1.0, 1e-6);
+    }
+  };
+  check(Continuous::make(36, 1.2, 0.5, 1.0));
+  check(Hooke{500.0, 0.5});
+}
+
+// (5): half the limit at |delta|/d_max = 1 - 0.5^(2/3); against the displacement; (8): C_T = sqrt(m k_T).
+TEST(CumulativeLaw, ClosedForm) {
+  const Cumulative law{0.4, 1.214};
+  const auto touch = touch_at(1.0, 1.2);
+  const NormalForce<double> normal{1.0, 1.0};
+  const double furthest = 1.214 * 0.4 * 0.2;
+  double delta = furthest * (1.0 - std::pow(0.5, 2.0 / 3.0));
+  const double kept = delta;
+  EXPECT_NEAR(tangential_force(law, touch, normal, 0.0, 0.0, delta), -0.2, 1e-12);
+  EXPECT_EQ(delta, kept);
+  delta = 0.0;
+  const double stiffness = 1.5 * 0.4 / furthest;
+  EXPECT_NEAR(tangential_force(law, touch, normal, 0.01, 0.0, delta), -0.01 * std::sqrt(stiffness), 1e-12);
+}
+
+TEST(CumulativeLaw, WithoutFrictionThereIsNoForce) {
+  double delta = 0.1;
+  EXPECT_EQ(tangential_force(Cumulative{0.0, 1.214}, touch_at(1.0, 1.2), {1.0, 1.0}, 1.0, 0.001, delta), 0.0);
+  EXPECT_EQ(delta, 0.0);
+}
+
+// Below the cap a spring; at the cap the spring keeps the length that gives the capped force, so that turning back
+// lowers the force at once.
+TEST(LinearLaw, SpringThenSlip) {
+  const Linear law{0.5, 100.0, 0.0};
+  const NormalForce<double> normal{1.0, 1.0};
+  const auto touch = touch_at(0.99, 1.0);
+  double delta = 0.0;
+  EXPECT_NEAR(tangential_force(law, touch, normal, 1.0, 0.002, delta), -0.2, 1e-12);
+  for (int k = 0; k < 100; ++k) tangential_force(law, touch, normal, 1.0, 0.002, delta);
+  EXPECT_NEAR(delta, 0.005, 1e-15);
+  EXPECT_NEAR(tangential_force(law, touch, normal, -1.0, 0.001, delta), -0.4, 1e-12);
+}
+
+// The frequencies of physics: n = 36 and a fall of 100 give w dt = 0.458 at 0.001, n = 144 1.54; Hooke sqrt(k).
+TEST(TimeStep, StiffestContactOfAFall) {
+  ContactConditions conditions;
+  conditions.fall = 100.0;
+  EXPECT_NEAR(stiffest_contact(Continuous::make(36, 1.2, 0.5, 1.0), Cumulative{}, conditions).frequency, 458.1, 0.5);
+  EXPECT_NEAR(stiffest_contact(Continuous::make(144, 1.047, 0.5, 1.0), Cumulative{}, conditions).frequency, 1544, 5);
+  EXPECT_NEAR(stiffest_contact(Hooke{500.0, 0.5}, Cumulative{}, conditions).frequency, std::sqrt(500.0), 1e-9);
+  // The surface of a disc is three times as light as its centre.
+  EXPECT_NEAR(stiffest_contact(Hooke{500.0, 0.5}, Linear{0.5, 500.0, 0.0}, conditions).frequency, std::sqrt(1500.0),
+              1e-9);
+  conditions.smallest_diameter = 0.5;
+  EXPECT_NEAR(stiffest_contact(Hooke{500.0, 0.5}, Cumulative{}, conditions).frequency, std::sqrt(2000.0), 1e-9);
+}
+
+}  // namespace
+}  // namespace repose

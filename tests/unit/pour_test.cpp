@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "repose/run/pour.hpp"
+#include "repose/scene/read.hpp"
+
+namespace repose {
+namespace {
+
+Scene pouring(const std::string& more) {
+  return read_scene_text("source = { kind = \"pour\", count = 400, rate = 2.0, " + more +
+                             " }\nstop = { time = 1 }\ngrains = { polydispersity = 0.1 }\n",
+                         "scene.toml");
+}
+
+/// Releases everything that is due up to a time; the grains released before are taken away each time if asked.
+Grains<2> released_by(Pour& pour, double time, double time_step) {
+  Grains<2> grains;
+  while (!pour.done() && static_cast<double>(pour.next_step()) * time_step <= time) {
+    Grains<2> one;
+    if (!pour.release(one, pour.next_step())) break;
+    grains.add(one.line[0], one.id[0]);
+  }
+  return grains;
+}
+
+// The paper's count: 0.62 t + 1 grains by time t; here the rate is 2.
+TEST(Pour, CountGrowsWithTimeFromOne) {
+  const auto scene = pouring("height = 50.0");
+  Pour pour(scene, 0.001, 10);
+  EXPECT_EQ(released_by(pour, 0.0, 0.001).size(), 1U);
+  EXPECT_EQ(released_by(pour, 10.2, 0.001).size(), 20U);
+  EXPECT_EQ(pour.released(), 21);
+  released_by(pour, 1e9, 0.001);
+  EXPECT_TRUE(pour.done());
+}
+
+// Places uniform in +-w, sizes uniform in [(1 - p) d, d] (standard deviation p d / sqrt(12)), masses with the square
+// of the size; within 4 standard errors of 400 grains. Released from rest: half a step later the speed is g dt / 2.
+TEST(Pour, PlacesAndSizes) {
+  const auto scene = pouring("height = 50.0, half_width = 4.0, x = 1.0");
+  Pour pour(scene, 0.001, 0);
+  const auto grains = released_by(pour, 1e9, 0.001);
+  double x = 0.0;
+  double x2 = 0.0;
+  double size = 0.0;
+  for (const auto& grain : grains.line) {
+    EXPECT_LE(std::fabs(grain.position[0] - 1.0), 4.0);
+    EXPECT_EQ(grain.position[1], 50.0);
+    EXPECT_DOUBLE_EQ(grain.velocity[1] - 0.001, -0.0005);
+    EXPECT_GE(grain.radius, 0.45);
+    EXPECT_LE(grain.radius, 0.5);
+    EXPECT_DOUBLE_EQ(grain.mass, 4.0 * grain.radius * grain.radius);
+    x += (grain.position[0] - 1.0) / 400.0;
+    x2 += std::pow(grain.position[0] - 1.0, 2) / 400.0;
+    size += 2.0 * grain.radius / 400.0;
+  }
+  EXPECT_NEAR(x, 0.0, 4.0 * 4.0 / std::sqrt(3.0 * 400.0));
+  EXPECT_NEAR(x2, 16.0 / 3.0, 4.0 * 16.0 * std::sqrt(4.0 / 45.0 / 400.0));
+  EXPECT_NEAR(size, 0.95, 4.0 * 0.1 / std::sqrt(12.0 * 400.0));
+}
+
+// No two grains are let go within each other's reach: where the opening is full, the next one waits.
+TEST(Pour, WaitsForRoom) {
+  const auto scene = pouring("height = 50.0, half_width = 2.0");
+  Pour pour(scene, 0.001, 0);
+  Grains<2> grains;
+  long step = 0;
+  while (pour.release(grains, step)) {
+  }
+  EXPECT_GE(grains.size(), 2U);
+  EXPECT_LE(grains.size(), 5U);
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto d = grains.line[i].position - grains.line[j].position;
+      EXPECT_GE(magnitude(d), 1.2 * (grains.line[i].radius + grains.line[j].radius));
+    }
+  }
+  step = 5000;
+  EXPECT_GT(pour.waiting(step), 0.0);
+  Grains<2> emptied;
+  EXPECT_TRUE(pour.release(emptied, step));
+}
+
+}  // namespace
+}  // namespace repose
