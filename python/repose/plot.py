@@ -1,77 +1,107 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draw the standard pictures of a run folder: `repose plot DIR`, or python3 -m repose.plot DIR."""
+"""Draws the standard pictures of a run folder: `python3 -m repose.plot DIR`, or `repose plot DIR`."""
 
 import argparse
 import os
 import sys
 
-from repose.pictures import PICTURES, NotDefined
+import matplotlib
+
+from repose import style
+from repose.not_drawn import NotDrawn
+from repose.pictures import PICTURES
 from repose.run_folder import RunFolder, RunFolderError
-from repose.style import plt
 
 FORMATS = ("png", "svg")
 
 
-def chosen(text, known, what):
-    """Splits a comma-separated list and refuses unknown words."""
-    words = [word.strip() for word in text.split(",")]
-    for word in words:
-        if word not in known:
-            raise RunFolderError(f"no {what} '{word}'; known: {', '.join(known)}")
-    return words
+class Parser(argparse.ArgumentParser):
+    """Complains in one line."""
+
+    def error(self, message):
+        self.exit(2, f"{self.prog}: {message}\n")
 
 
-def save(figure, folder, name, kind, dpi):
-    """Writes a picture under a temporary name and renames it."""
-    path = os.path.join(folder, f"{name}.{kind}")
-    temporary = f"{path}.tmp"
-    figure.savefig(temporary, format=kind, dpi=dpi, metadata={"Date": None} if kind == "svg" else None)
-    os.replace(temporary, path)
-    return path
+def list_of(known):
+    """Reads comma-separated names out of the known ones."""
+
+    def read(text):
+        names = [name.strip() for name in text.split(",")]
+        for name in names:
+            if name not in known:
+                raise argparse.ArgumentTypeError(f"unknown name '{name}', choose from {', '.join(known)}")
+        return names
+
+    return read
 
 
-def draw(directory, names, formats, dpi, frame):
-    """Draws the named pictures of one folder; returns the paths written."""
-    run = RunFolder(directory)
-    state = run.state(frame)
-    folder = os.path.join(directory, "pictures")
+def dots_per_inch(text):
+    """Reads a resolution between 10 and 2400."""
+    if not text.isdigit() or not 10 <= int(text) <= 2400:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number from 10 to 2400")
+    return int(text)
+
+
+def frame_name(text):
+    """Reads the number of a frame."""
+    if not text.isdigit():
+        raise argparse.ArgumentTypeError(f"'{text}' is not the number of a frame")
+    return text
+
+
+def parse(arguments):
+    parser = Parser(prog="repose plot", description="Draw the standard pictures of a run folder into DIR/pictures.")
+    parser.add_argument("folder", metavar="DIR", help="run folder")
+    parser.add_argument(
+        "--only", type=list_of(PICTURES), default=list(PICTURES), metavar="NAMES", help=f"of {','.join(PICTURES)}"
+    )
+    parser.add_argument("--format", type=list_of(FORMATS), default=list(FORMATS), metavar="KINDS", help="png,svg")
+    parser.add_argument("--dpi", type=dots_per_inch, default=200, metavar="N", help="of PNG (default: 200)")
+    parser.add_argument("--frame", type=frame_name, metavar="NNNNNN", help="a saved frame instead of the last state")
+    return parser.parse_args(arguments)
+
+
+def save(figure, path, kind, dpi, title):
+    """Writes a picture under a temporary name and renames it, so that nobody meets half a file."""
+    metadata = {"Title": title, "Date": None} if kind == "svg" else {"Title": title}
+    temporary = path.with_name(f".{path.name}.{os.getpid()}")
     try:
-        os.makedirs(folder, exist_ok=True)
-    except OSError as error:
-        raise RunFolderError(f"{folder}: cannot write: {error.strerror}") from error
-    written = []
-    for name in names:
-        try:
-            figure = PICTURES[name](run, state)
-        except NotDefined as reason:
-            print(f"{name}: not drawn: {reason}")
-            continue
-        stem = name if frame is None else f"{name}-{frame}"
-        for kind in formats:
+        figure.savefig(temporary, format=kind, dpi=dpi, metadata=metadata)
+        os.replace(temporary, path)
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def draw_pictures(run, state, options):
+    """Draws what the options name; one line for each file written and each picture left out."""
+    folder = run.path / "pictures"
+    folder.mkdir(exist_ok=True)
+    suffix = f"-{state.frame}" if state.frame else ""
+    for name in options.only:
+        with matplotlib.rc_context(style.RC):
             try:
-                written.append(save(figure, folder, stem, kind, dpi))
-            except OSError as error:
-                raise RunFolderError(f"{folder}/{stem}.{kind}: cannot write: {error.strerror}") from error
-            print(written[-1])
-        plt.close(figure)
-    return written
+                figure = PICTURES[name](run, state)
+            except NotDrawn as reason:
+                print(f"{name}: not drawn: {reason}")
+                continue
+            for kind in options.format:
+                path = folder / f"{name}{suffix}.{kind}"
+                save(figure, path, kind, options.dpi, run.attributes["title"])
+                print(path)
 
 
 def main(arguments=None):
-    parser = argparse.ArgumentParser(prog="repose plot", description=__doc__)
-    parser.add_argument("directory", metavar="DIR", help="run folder")
-    parser.add_argument("--only", default=",".join(PICTURES), help="pictures, e.g. heap,forces (default: all)")
-    parser.add_argument("--format", default=",".join(FORMATS), help="png,svg (default: both)")
-    parser.add_argument("--dpi", type=int, default=200, help="resolution of PNG (default: 200)")
-    parser.add_argument("--frame", help="a saved frame, e.g. 000003 (default: the last state)")
-    options = parser.parse_args(arguments)
+    """Exit status 0, or 2 with one line on stderr."""
+    options = parse(arguments)
     try:
-        names = chosen(options.only, PICTURES, "picture")
-        formats = chosen(options.format, FORMATS, "format")
-        draw(options.directory, names, formats, options.dpi, options.frame)
+        run = RunFolder(options.folder)
+        draw_pictures(run, run.frame(options.frame) if options.frame else run.state, options)
     except RunFolderError as error:
-        print(error, file=sys.stderr)
+        print(f"repose plot: {error}", file=sys.stderr)
+        return 2
+    except OSError as error:
+        print(f"repose plot: {error.filename or options.folder}: cannot be written: {error.strerror}", file=sys.stderr)
         return 2
     return 0
 

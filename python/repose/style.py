@@ -1,85 +1,80 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""One look for all pictures: restrained, colour-blind safe (Okabe and Ito), vector friendly."""
+"""One look for all pictures: restrained, colour-blind safe (Okabe and Ito), small in vector formats."""
 
-import matplotlib
+from dataclasses import dataclass
 
-matplotlib.use("Agg")
-
-import matplotlib.pyplot as plt  # noqa: E402
-import numpy as np  # noqa: E402
-
-BLACK = "#000000"
-GREY = "#8c8c8c"
-PALE = "#dfe3e8"
+INK = "#1a1a1a"
+GREY = "#6b6b6b"
+FAINT = "#c9ced6"
 BLUE = "#0072b2"
 ORANGE = "#d55e00"
-GREEN = "#009e73"
+PURPLE = "#aa3377"
 
-# Beyond this many objects a vector file becomes slow to open: they are drawn as pixels inside it.
-MOST_VECTORS = 20000
+GRAIN = "#a9c4dc"  # moving grains
+GRAIN_EDGE = "#34506b"
+HELD = "#4d4d4d"  # base and other fixed grains
 
-WIDTH = 7.2  # inches: two columns of a journal
-
-plt.rcParams.update(
-    {
-        "font.size": 9,
-        "axes.spines.top": False,
-        "axes.spines.right": False,
-        "axes.linewidth": 0.8,
-        "legend.frameon": False,
-        "legend.fontsize": 8,
-        "svg.fonttype": "none",
-        "svg.hashsalt": "repose",
-        "figure.constrained_layout.use": True,
-        "savefig.bbox": "standard",
-    }
-)
-
-
-def heap_window(run, state):
-    """x and y limits (x0, x1, y0, y1) around the grains that are part of the heap and the base below them [L]."""
-    touching = np.zeros(len(state.id), dtype=bool)
-    if len(state.pairs):
-        touching[state.places(state.pairs[:, 0])] = True
-        second = state.pairs[:, 1]
-        touching[state.places(second[second >= 0])] = True
-    shown = touching & ~state.fixed
-    if not shown.any():
-        shown = np.ones(len(state.id), dtype=bool)
-    if not shown.any():
-        return (-1.0, 1.0, -1.0, 1.0)
-    diameter = float(run.attribute("grain_diameter"))
-    low = (state.position[shown] - state.radius[shown, None]).min(axis=0)
-    high = (state.position[shown] + state.radius[shown, None]).max(axis=0)
-    floor = low[1]
-    if state.fixed.any():
-        floor = min(floor, (state.position[:, 1] - state.radius)[state.fixed].min())
-    margin = 2.0 * diameter
-    return (low[0] - margin, high[0] + margin, floor - 0.5 * diameter, high[1] + margin)
+RC = {
+    "font.family": "DejaVu Sans",
+    "font.size": 8,
+    "axes.labelsize": 8,
+    "axes.linewidth": 0.6,
+    "axes.edgecolor": INK,
+    "axes.labelcolor": INK,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.formatter.use_mathtext": True,
+    "axes.unicode_minus": True,
+    "xtick.labelsize": 7,
+    "ytick.labelsize": 7,
+    "xtick.color": INK,
+    "ytick.color": INK,
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+    "xtick.major.size": 3,
+    "ytick.major.size": 3,
+    "xtick.minor.size": 1.5,
+    "ytick.minor.size": 1.5,
+    "legend.fontsize": 7,
+    "legend.frameon": False,
+    "legend.handlelength": 1.8,
+    "legend.columnspacing": 1.4,
+    "legend.borderaxespad": 0.0,
+    "legend.borderpad": 0.0,
+    "lines.linewidth": 1.0,
+    "svg.hashsalt": "repose",  # the same run gives the same file
+}
 
 
-def heap_axes(run, window, extra_height=0.0):
-    """A figure with equal scales that the window fills."""
-    x0, x1, y0, y1 = window
-    height = WIDTH * (y1 - y0) / (x1 - x0)
-    figure, axes = plt.subplots(figsize=(WIDTH, min(max(height, 1.2), 9.0) + 0.75 + extra_height))
-    axes.set_aspect("equal")
-    axes.set_xlim(x0, x1)
-    axes.set_ylim(y0, y1)
-    axes.set_xlabel(run.length_label("x"))
-    axes.set_ylabel(run.length_label("y"))
-    return figure, axes
+@dataclass(frozen=True)
+class Units:
+    """How lengths, times and energies are labelled."""
+
+    reduced: bool
+
+    def length(self, symbol):
+        return f"{symbol} / σ" if self.reduced else f"{symbol} (m)"
+
+    def length_value(self, value):
+        return f"{value:.3g} σ" if self.reduced else f"{value:.3g} m"
+
+    def time(self, symbol):
+        return f"{symbol} / √(σ/g)" if self.reduced else f"{symbol} (s)"
+
+    def time_value(self, value):
+        return f"{value:.6g} √(σ/g)" if self.reduced else f"{value:.6g} s"
+
+    def energy(self, symbol):
+        return f"{symbol} / mgσ" if self.reduced else f"{symbol} (J)"
 
 
-def inside(state, window, margin):
-    """Which grains lie in the window [L]."""
-    x, y = state.position[:, 0], state.position[:, 1]
-    x0, x1, y0, y1 = window
-    return (x > x0 - margin) & (x < x1 + margin) & (y > y0 - margin) & (y < y1 + margin)
+def units_of(run):
+    """Units of a run's scene."""
+    return Units(run.attributes["units"] == "reduced")
 
 
-def time_text(run, state):
-    grains = int((~state.fixed).sum())
-    unit = "" if run.attribute("units") == "reduced" else " s"
-    return f"{grains} grains, t = {state.time:.6g}{unit}"
+def caption(figure, text):
+    """Small grey text in the top left corner."""
+    width, height = figure.get_size_inches()
+    figure.text(0.08 / width, 1.0 - 0.08 / height, text, ha="left", va="top", fontsize=7, color=GREY)

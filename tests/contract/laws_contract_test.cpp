@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/core/random.hpp"
+#include "support/every_law.hpp"
+#include "support/soft_world.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
-
-#include "repose/core/random.hpp"
-#include "support/every_law.hpp"
-#include "support/soft_world.hpp"
 
 // What every normal law together with every tangential law must do.
 
@@ -101,7 +101,8 @@ TEST(LawContract, RotationInvariance) {
       if (!push_of(law, a, b, history, push)) continue;
       const double angle = 3.0 * number(index, 61);
       const auto turn = [&](const Vec<2>& v) {
-        return Vec<2>{{std::cos(angle) * v[0] - std::sin(angle) * v[1], std::sin(angle) * v[0] + std::cos(angle) * v[1]}};
+        return Vec<2>{
+            {std::cos(angle) * v[0] - std::sin(angle) * v[1], std::sin(angle) * v[0] + std::cos(angle) * v[1]}};
       };
       for (auto* grain : {&a, &b}) {
         grain->position = turn(grain->position);
@@ -119,7 +120,7 @@ TEST(LawContract, CoulombLimit) {
   for_every_pair_law([](const auto& law) {
     for (std::uint64_t index = 0; index < 500; ++index) {
       const double distance = reach(law.normal) * (0.9 + 0.0999 * number(index, 0));
-      const Touch<double> touch{distance, 1.0, 1.0 - distance, reach(law.normal) - distance, 3.0 * number(index, 1), 1.0};
+      const auto touch = make_touch(distance, 1.0 / distance, 1.0, reach(law.normal), 3.0 * number(index, 1), 1.0);
       double delta = 0.3 * number(index, 2);
       const auto force = contact_force(law, touch, 5.0 * number(index, 3), 1e-3, delta);
       EXPECT_LE(std::fabs(force.tangential), coulomb_limit(law.tangential, force.normal) * (1.0 + 1e-12));

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
-
 #include "repose/laws/registry.hpp"
+
+#include <vector>
 
 namespace repose::testing {
 

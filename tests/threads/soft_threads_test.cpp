@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
 #include "repose/core/random.hpp"
 #include "support/every_law.hpp"
 #include "support/soft_world.hpp"
+
+#include <gtest/gtest.h>
 
 // The results are the same to the bit for any number of threads.
 

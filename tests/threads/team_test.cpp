@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/core/team.hpp"
+
 #include <gtest/gtest.h>
 
 #include <numeric>
 #include <vector>
-
-#include "repose/core/team.hpp"
 
 namespace repose {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/analysis/base_profile.hpp"
+#include "repose/analysis/force_network.hpp"
+#include "repose/analysis/heap.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
-
-#include "repose/analysis/base_profile.hpp"
-#include "repose/analysis/force_network.hpp"
-#include "repose/analysis/heap.hpp"
 
 namespace repose {
 namespace {
@@ -64,7 +64,8 @@ TEST(Heap, MomentsOfSymmetricTriangle) {
 TEST(Heap, SurfaceEndsAtAGapAndUsesTenToNinetyPercent) {
   Grains<2> grains;
   std::int64_t id = 0;
-  for (const double x : {-9.0, -5.0, -3.0, -1.0, 1.0, 3.0, 5.0}) grains.add(disc(x, 10.0 - std::fabs(x) * 2.0 + 1.0), id++);
+  for (const double x : {-9.0, -5.0, -3.0, -1.0, 1.0, 3.0, 5.0})
+    grains.add(disc(x, 10.0 - std::fabs(x) * 2.0 + 1.0), id++);
   const auto shape = read_heap(grains, std::vector<bool>(grains.size(), true), 0.0, 2.0);
   ASSERT_EQ(shape.surface.size(), 6U);  // x = -9 lies beyond the empty bin at -7
   EXPECT_EQ(shape.surface.front().x, -5.0);

@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/laws/contact_force.hpp"
+#include "repose/laws/time_step.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "repose/laws/contact_force.hpp"
-#include "repose/laws/time_step.hpp"
 
 namespace repose {
 namespace {
 
 Touch<double> touch_at(double distance, double cutoff, double closing_speed = 0.0, double mass = 1.0,
                        double diameter = 1.0) {
-  return {distance, diameter, diameter - distance, cutoff * diameter - distance, closing_speed, mass};
+  return make_touch(distance, 1.0 / distance, diameter, cutoff * diameter, closing_speed, mass);
 }
 
 // (3) with the exponent's sign put right: m g at r = s, and 1.2^-37 = 1.2e-3 m g at the cutoff.

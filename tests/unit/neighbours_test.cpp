@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/core/random.hpp"
+#include "repose/neighbours/pair_list.hpp"
+
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <map>
-#include <rapidcheck/gtest.h>
 #include <set>
-
-#include "repose/core/random.hpp"
-#include "repose/neighbours/pair_list.hpp"
 
 namespace repose {
 namespace {

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/run/pour.hpp"
+
+#include "repose/scene/read.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "repose/run/pour.hpp"
-#include "repose/scene/read.hpp"
 
 namespace repose {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/core/random.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
-
-#include "repose/core/random.hpp"
 
 namespace repose {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include "repose/core/errors.hpp"
 #include "repose/scene/read.hpp"
 #include "repose/scene/write.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace repose {
 namespace {
@@ -45,7 +45,8 @@ std::vector<std::string> problems_of(const std::string& text, const Overrides& o
 }
 
 bool any_contains(const std::vector<std::string>& lines, const std::string& part) {
-  return std::any_of(lines.begin(), lines.end(), [&](const auto& line) { return line.find(part) != std::string::npos; });
+  return std::any_of(lines.begin(), lines.end(),
+                     [&](const auto& line) { return line.find(part) != std::string::npos; });
 }
 
 TEST(SceneRead, ValuesAndDefaults) {
@@ -99,7 +100,8 @@ count = 0
 time = 1
 )");
   EXPECT_TRUE(any_contains(lines, "scene.toml:2: gravity = -1: must be >= 0"));
-  EXPECT_TRUE(any_contains(lines, "scene.toml:4: contact.frictoin: unknown key; known here: friction, normal, tangential"));
+  EXPECT_TRUE(
+      any_contains(lines, "scene.toml:4: contact.frictoin: unknown key; known here: friction, normal, tangential"));
   EXPECT_TRUE(any_contains(lines, "scene.toml:5: contact.normal.cutoff = 0.9: must be >= 1"));
   EXPECT_TRUE(any_contains(lines, "scene.toml:8: base.half_width = \"wide\": must be a number, is text"));
   EXPECT_TRUE(any_contains(lines, "scene.toml:11: source.count = 0: must be a whole number from 1"));

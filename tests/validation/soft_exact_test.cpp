@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "support/soft_world.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-
-#include "support/soft_world.hpp"
 
 // Closed forms that the soft method must give. Units: grain diameter, grain mass, gravity.
 // Sources: Baxter et al. (1997), equation numbers in brackets, as corrected in docs/physics/soft.md.
@@ -19,6 +19,9 @@ using testing::SoftWorld;
 Continuous continuous(double n, double cutoff, double damping = 0.5) {
   return Continuous::make(n, cutoff, damping, 1.0);
 }
+
+/// A still pair of equal discs at distance r, in reach up to 1.2.
+Touch<double> touch_at(double r) { return make_touch(r, 1.0 / r, 1.0, 1.2, 0.0, 1.0); }
 
 /// A disc let go a little above its place of rest on a fixed one; its height once it has come to rest.
 template <class Law>
@@ -121,12 +124,12 @@ TEST(SoftRolling, SlidingDiscEndsRollingAtTwoThirds) {
   }
 }
 
-/// A pair held at distance r (the lower disc fixed), its upper disc dragged along: the tangential force over the elastic
-/// normal force once it slips.
+/// A pair held at distance r (the lower disc fixed), its upper disc dragged along: the tangential force over the
+/// elastic normal force once it slips.
 double slip_ratio(double friction, double distance) {
   const Continuous normal = continuous(36, 1.2);
   const Cumulative law{friction, 1.214};
-  Touch<double> touch{distance, 1.0, 1.0 - distance, 1.2 - distance, 0.0, 1.0};
+  const auto touch = touch_at(distance);
   double delta = 0.0;
   double force = 0.0;
   const auto normal_now = normal_force(normal, touch);
@@ -203,7 +206,7 @@ TEST(SoftCorrections, LeverArmKeepsAngularMomentum) {
 TEST(SoftCorrections, ClampOfTheDisplacement) {
   const Continuous normal = continuous(36, 1.2);
   const Cumulative law{0.5, 1.214};
-  const Touch<double> touch{1.0, 1.0, 0.0, 0.2, 0.0, 1.0};
+  const auto touch = touch_at(1.0);
   const auto force_now = normal_force(normal, touch);
   const double limit = law.alpha * law.friction * touch.engagement;
   double delta = 0.0;
@@ -223,12 +226,12 @@ TEST(SoftCorrections, ClampFollowsAShrinkingLimit) {
   const Continuous normal = continuous(36, 1.2);
   const Cumulative law{0.5, 1.214};
   double delta = 0.08;
-  Touch<double> touch{1.1, 1.0, -0.1, 0.1, 0.0, 1.0};
+  auto touch = touch_at(1.1);
   tangential_force(law, touch, normal_force(normal, touch), 0.0, 0.001, delta);
-  EXPECT_DOUBLE_EQ(delta, law.alpha * law.friction * 0.1);
-  touch = {1.19, 1.0, -0.19, 0.01, 0.0, 1.0};
+  EXPECT_NEAR(delta, law.alpha * law.friction * 0.1, 1e-12);
+  touch = touch_at(1.19);
   tangential_force(law, touch, normal_force(normal, touch), 0.0, 0.001, delta);
-  EXPECT_DOUBLE_EQ(delta, law.alpha * law.friction * 0.01);
+  EXPECT_NEAR(delta, law.alpha * law.friction * 0.01, 1e-12);
 }
 
 // Damping of d(delta)/dt, not of the velocity of the centres alone, (4): a disc rolling on a fixed one has centres that
@@ -254,8 +257,7 @@ TEST(SoftCorrections, CapOfTheTangentialForce) {
   const Continuous normal = continuous(36, 1.2);
   const Cumulative law{0.5, 1.214};
   for (const double engagement : {1e-6, 1e-3, 0.05, 0.2}) {
-    const double r = 1.2 - engagement;
-    const Touch<double> touch{r, 1.0, 1.0 - r, engagement, 0.0, 1.0};
+    const auto touch = touch_at(1.2 - engagement);
     const auto force_now = normal_force(normal, touch);
     double delta = 0.0;
     const double force = tangential_force(law, touch, force_now, 3.0, 0.001, delta);

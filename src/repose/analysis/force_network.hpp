@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/contacts.hpp"
+#include "repose/core/grains.hpp"
+
 #include <array>
 #include <optional>
 #include <vector>
-
-#include "repose/core/contacts.hpp"
-#include "repose/core/grains.hpp"
 
 namespace repose {
 
 /// Who touches whom, among contacts that carry more than a stated force.
 struct ForceNetwork {
-  std::size_t contacts = 0;                ///< that count
-  std::optional<double> coordination;      ///< mean number per grain of the heap, base and planes included as partners
-  std::array<double, 7> connectivity{};    ///< share of those grains with 0, 1, ... 5, and 6 or more
-  std::optional<double> anisotropy;        ///< 2 (l1 - l2) of the fabric tensor <n n>, in [0, 2]: 0 isotropic
-  std::optional<double> direction_deg;     ///< of l1's axis from the horizontal, in (-90, 90]
+  std::size_t contacts = 0;              ///< that count
+  std::optional<double> coordination;    ///< mean number per grain of the heap, base and planes included as partners
+  std::array<double, 7> connectivity{};  ///< share of those grains with 0, 1, ... 5, and 6 or more
+  std::optional<double> anisotropy;      ///< 2 (l1 - l2) of the fabric tensor <n n>, in [0, 2]: 0 isotropic
+  std::optional<double> direction_deg;   ///< of l1's axis from the horizontal, in (-90, 90]
 };
 
 /// Contacts with normal force above `threshold` [M L/T^2] among the grains flagged `in_heap` and their surroundings.

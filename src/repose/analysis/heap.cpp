@@ -91,8 +91,8 @@ HeapShape read_heap(const Grains<D>& grains, const std::vector<bool>& in_heap, d
   }
   HeapShape shape;
   if (highest.empty()) return shape;
-  const auto apex =
-      std::max_element(highest.begin(), highest.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto apex = std::max_element(highest.begin(), highest.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
   shape.apex_x = (static_cast<double>(apex->first) + 0.5) * bin_width;
   shape.apex_height = apex->second;
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "repose/core/contacts.hpp"
 #include "repose/core/grains.hpp"
+
+#include <optional>
+#include <vector>
 
 namespace repose {
 

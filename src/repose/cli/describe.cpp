@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/cli/describe.hpp"
 
+#include "repose/run/reading.hpp"
+#include "repose/run/setup.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-
-#include "repose/run/reading.hpp"
-#include "repose/run/setup.hpp"
 
 namespace repose {
 
@@ -74,12 +74,14 @@ std::string describe(const Scene& scene) {
                       moving_count(initial), fixed, scene.smallest_diameter(), scene.largest_diameter());
   text += fmt::format("normal law       {}\n", std::visit(LawText{}, scene.contact.normal));
   text += fmt::format("tangential law   {}\n", std::visit(LawText{}, scene.contact.tangential));
-  text += fmt::format("time step        {:.6g} ({}; w dt = {:.3g} for the stiffest contact of a fall from the source)\n",
-                      step, scene.method.time_step ? "given" : "auto", step * scene.contact_frequency());
-  text += fmt::format("velocities       {}{}\n", scene.synchronised() ? "synchronised" : "half-step",
-                      scene.method.velocities == "auto" ? fmt::format(" (auto; size ratio {:.3g})",
-                                                                      scene.largest_diameter() / scene.smallest_diameter())
-                                                        : "");
+  text +=
+      fmt::format("time step        {:.6g} ({}; w dt = {:.3g} for the stiffest contact of a fall from the source)\n",
+                  step, scene.method.time_step ? "given" : "auto", step * scene.contact_frequency());
+  text +=
+      fmt::format("velocities       {}{}\n", scene.synchronised() ? "synchronised" : "half-step",
+                  scene.method.velocities == "auto"
+                      ? fmt::format(" (auto; size ratio {:.3g})", scene.largest_diameter() / scene.smallest_diameter())
+                      : "");
   text += fmt::format("stop             {}\n", stop_text(scene));
   const double end = expected_end(scene);
   text += fmt::format("expected         {:.3g} steps, {:.3g} grain-steps to time {:.5g}\n", end / step,
@@ -91,9 +93,9 @@ std::string describe_result(const Simulation& simulation) {
   const auto contacts = simulation.contacts();
   const auto reading = read(simulation, contacts);
   const double seconds = simulation.wall_seconds();
-  std::string text = fmt::format("stopped          {} (time {:.6g}, {} steps, {:.1f} s, {:.3g} grain-steps per second)\n",
-                                 simulation.message(), simulation.time(), simulation.steps(), seconds,
-                                 simulation.grain_steps() / seconds);
+  std::string text = fmt::format(
+      "stopped          {} (time {:.6g}, {} steps, {:.1f} s, {:.3g} grain-steps per second)\n", simulation.message(),
+      simulation.time(), simulation.steps(), seconds, simulation.grain_steps() / seconds);
   text += fmt::format("grains           {} present, {} lost\n", moving_count(simulation.grains()),
                       simulation.grains_lost());
   const auto& heap = reading.heap;

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string>
-
 #include "repose/run/simulation.hpp"
 #include "repose/scene/scene.hpp"
+
+#include <string>
 
 namespace repose {
 

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
-#include <csignal>
-#include <cstdio>
-#include <exception>
-
 #include "repose/cli/commands.hpp"
 #include "repose/core/errors.hpp"
 #include "repose/core/version.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
 
 namespace {
 
@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   CLI::App app{"Repose: an open laboratory for the mechanics of granular heaps, packings and columns"};
   app.set_version_flag("--version", version);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   const auto run = add_run(app);
   const auto check = add_check(app);
   const auto plot = add_plot(app);
@@ -44,5 +44,6 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     return report(error, exit_run_trouble);
   }
-  return 0;
+  fmt::print(stderr, "{}", app.help());
+  return exit_bad_input;
 }

@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/cli/commands.hpp"
+#include "repose/core/errors.hpp"
+
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <string>
 #include <vector>
-
-#include "repose/cli/commands.hpp"
-#include "repose/core/errors.hpp"
 
 namespace repose {
 
@@ -35,7 +35,8 @@ std::string from_environment(const char* name, const char* otherwise) {
   for (auto& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   ::execv(python.c_str(), pointers.data());
-  throw RunError(fmt::format("{}: cannot start Python: {} (REPOSE_PYTHON names another)", python, std::strerror(errno)));
+  throw RunError(
+      fmt::format("{}: cannot start Python: {} (REPOSE_PYTHON names another)", python, std::strerror(errno)));
 }
 
 }  // namespace

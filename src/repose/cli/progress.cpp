@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/cli/progress.hpp"
 
+#include "repose/cli/describe.hpp"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <string>
-
-#include "repose/cli/describe.hpp"
 
 namespace repose {
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <chrono>
-
 #include "repose/run/simulation.hpp"
+
+#include <chrono>
 
 namespace repose {
 

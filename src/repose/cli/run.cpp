@@ -1,16 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fmt/format.h>
-#include <signal.h>
-#include <unistd.h>
-
-#include <CLI/CLI.hpp>
-#include <algorithm>
-#include <atomic>
-#include <filesystem>
-#include <memory>
-#include <thread>
-
 #include "repose/cli/commands.hpp"
 #include "repose/cli/describe.hpp"
 #include "repose/cli/progress.hpp"
@@ -18,6 +7,17 @@
 #include "repose/core/errors.hpp"
 #include "repose/run/run_folder.hpp"
 #include "repose/run/simulation.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <thread>
 
 namespace repose {
 
@@ -54,8 +54,7 @@ int threads_for(const Scene& scene, int wanted) {
 }
 
 int act(const RunOptions& options) {
-  const std::string out =
-      options.out.empty() ? std::filesystem::path(options.scene.file).stem().string() : options.out;
+  const std::string out = options.out.empty() ? std::filesystem::path(options.scene.file).stem().string() : options.out;
   std::vector<std::string> problems = RunFolder::problems(out, options.overwrite);
   std::optional<Scene> scene;
   try {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/scene/read.hpp"
+
 #include <optional>
 #include <string>
-
-#include "repose/scene/read.hpp"
 
 namespace CLI {
 class App;

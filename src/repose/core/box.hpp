@@ -2,19 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <limits>
-
 #include "repose/core/vec.hpp"
+
+#include <cmath>
+#include <limits>
 
 namespace repose {
 
 /// The region of space that is simulated. x is open or periodic; a grain whose centre leaves an open region is lost.
 template <int D>
 struct Box {
-  bool periodic = false;                                      ///< x wraps from x_max to x_min
-  double x_min = -std::numeric_limits<double>::infinity();    ///< [L]
-  double x_max = std::numeric_limits<double>::infinity();     ///< [L]
-  double floor = -std::numeric_limits<double>::infinity();    ///< [L] a grain below this height is lost
+  bool periodic = false;                                    ///< x wraps from x_max to x_min
+  double x_min = -std::numeric_limits<double>::infinity();  ///< [L]
+  double x_max = std::numeric_limits<double>::infinity();   ///< [L]
+  double floor = -std::numeric_limits<double>::infinity();  ///< [L] a grain below this height is lost
 
   REPOSE_FN double width() const { return x_max - x_min; }
 
@@ -27,8 +28,8 @@ struct Box {
   /// Position with x brought into [x_min, x_max) where periodic.
   Vec<D> wrapped(Vec<D> position) const {
     if (!periodic) return position;
-    while (position[0] < x_min) position[0] += width();
-    while (position[0] >= x_max) position[0] -= width();
+    position[0] -= width() * std::floor((position[0] - x_min) / width());
+    if (position[0] >= x_max) position[0] = x_min;  // rounding of a place just below x_min
     return position;
   }
 };

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/vec.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <tuple>
 #include <vector>
-
-#include "repose/core/vec.hpp"
 
 namespace repose {
 
@@ -18,13 +18,13 @@ struct Contact {
   std::int64_t first = 0;   ///< id of a grain
   std::int64_t second = 0;  ///< id of a grain, or -1 - k for plane k
   Vec<D> normal{};
-  double overlap = 0.0;            ///< [L] sum of the radii less the distance; negative in the tail of a long-ranged law
-  double relative_overlap = 0.0;   ///< overlap over the mean diameter of the pair
-  double normal_force = 0.0;       ///< [M L/T^2]
-  Tangent<D> tangential_force{};   ///< [M L/T^2]
-  Tangent<D> history{};            ///< [L] accumulated tangential displacement
-  double first_lever = 0.0;        ///< [L] from the centre of the first partner to the contact point
-  bool sliding = false;            ///< at the Coulomb limit
+  double overlap = 0.0;           ///< [L] sum of the radii less the distance; negative in the tail of a long-ranged law
+  double relative_overlap = 0.0;  ///< overlap over the mean diameter of the pair
+  double normal_force = 0.0;      ///< [M L/T^2]
+  Tangent<D> tangential_force{};  ///< [M L/T^2]
+  Tangent<D> history{};           ///< [L] accumulated tangential displacement
+  double first_lever = 0.0;       ///< [L] from the centre of the first partner to the contact point
+  bool sliding = false;           ///< at the Coulomb limit
 };
 
 /// Force on the first partner [M L/T^2]; the second feels the opposite.
@@ -42,9 +42,8 @@ struct Contacts {
 
   std::size_t size() const { return list.size(); }
   void sort() {
-    std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) {
-      return std::tie(a.first, a.second) < std::tie(b.first, b.second);
-    });
+    std::sort(list.begin(), list.end(),
+              [](const auto& a, const auto& b) { return std::tie(a.first, a.second) < std::tie(b.first, b.second); });
   }
 };
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "repose/core/errors.hpp"
 #include "repose/core/vec.hpp"
+
+#include <cstdint>
+#include <vector>
 
 namespace repose {
 
@@ -25,7 +25,8 @@ struct alignas(64) Grain {
 static_assert(sizeof(Grain<2>) == 64);
 static_assert(sizeof(Grain<3>) == 128);
 
-/// Velocities half a step behind the position, kept by methods whose `line` holds velocities predicted for the full step.
+/// Velocities half a step behind the position, kept by methods whose `line` holds velocities predicted for the full
+/// step.
 template <int D>
 struct HalfStep {
   Vec<D> velocity{};       ///< [L/T]
@@ -43,8 +44,8 @@ struct Grains {
   std::vector<Grain<D>> line;
   std::vector<std::int64_t> id;
   std::vector<std::uint16_t> material;
-  std::vector<std::uint8_t> base;      ///< 1: belongs to the base
-  std::vector<Vec<D>> reaction;        ///< [M L/T] contact force on a fixed grain, summed over time since the last reset
+  std::vector<std::uint8_t> base;  ///< 1: belongs to the base
+  std::vector<Vec<D>> reaction;    ///< [M L/T] contact force on a fixed grain, summed over time since the last reset
   std::vector<HalfStep<D>> half_step;  ///< empty unless the method predicts velocities
 
   std::size_t size() const { return line.size(); }

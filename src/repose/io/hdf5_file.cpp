@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/io/hdf5_file.hpp"
 
+#include "repose/core/errors.hpp"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <hdf5.h>
@@ -12,8 +14,6 @@
 #include <cstring>
 #include <fstream>
 #include <utility>
-
-#include "repose/core/errors.hpp"
 
 namespace repose {
 
@@ -167,12 +167,10 @@ void Hdf5File::dataset(const std::string& name, const std::vector<T>& values, st
   const int rank = columns == 1 ? 1 : 2;
   {
     const Handle space(H5Screate_simple(rank, shape, nullptr), H5Sclose);
-    const Handle dataset(H5Dcreate2(file_, name.c_str(), native_type<T>(), space.id(), H5P_DEFAULT, H5P_DEFAULT,
-                                    H5P_DEFAULT),
-                         H5Dclose);
+    const Handle dataset(
+        H5Dcreate2(file_, name.c_str(), native_type<T>(), space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
     if (dataset.failed()) fail();
-    if (!values.empty() &&
-        H5Dwrite(dataset.id(), native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
+    if (!values.empty() && H5Dwrite(dataset.id(), native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
       fail();
     }
   }

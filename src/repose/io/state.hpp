@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string>
-
 #include "repose/core/contacts.hpp"
 #include "repose/core/grains.hpp"
 #include "repose/io/hdf5_file.hpp"
+
+#include <string>
 
 namespace repose {
 

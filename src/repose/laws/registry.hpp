@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string_view>
-#include <utility>
-#include <variant>
-
 #include "repose/laws/normal/continuous.hpp"
 #include "repose/laws/normal/hooke.hpp"
 #include "repose/laws/tangential/cumulative.hpp"
 #include "repose/laws/tangential/linear.hpp"
 #include "repose/laws/tangential/none.hpp"
+
+#include <string_view>
+#include <utility>
+#include <variant>
 
 namespace repose {
 
@@ -28,8 +28,11 @@ struct PairLaw {
 /// Calls `use` with the PairLaw of the two laws: the one dispatch of a run.
 template <class Use>
 decltype(auto) with_pair_law(const NormalLaw& normal, const TangentialLaw& tangential, Use&& use) {
-  return std::visit([&](const auto& n, const auto& t) -> decltype(auto) { return use(PairLaw{n, t}); }, normal,
-                    tangential);
+  return std::visit(
+      [&](const auto& n, const auto& t) -> decltype(auto) {
+        return use(PairLaw{n, t});
+      },
+      normal, tangential);
 }
 
 }  // namespace repose

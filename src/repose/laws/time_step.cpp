@@ -17,11 +17,9 @@ double surface_stiffness(const None&) { return 0.0; }
 
 }  // namespace
 
-StiffestContact stiffest_contact(const NormalLaw& normal, const TangentialLaw& tangential,
-                                 const ContactConditions& c) {
+StiffestContact stiffest_contact(const NormalLaw& normal, const TangentialLaw& tangential, const ContactConditions& c) {
   const auto mass_of = [&](double diameter) { return c.mass * std::pow(diameter / c.diameter, 2); };
-  const double tangential_stiffness =
-      std::visit([](const auto& law) { return surface_stiffness(law); }, tangential);
+  const double tangential_stiffness = std::visit([](const auto& law) { return surface_stiffness(law); }, tangential);
   StiffestContact stiffest;
   for (const double mover : {c.smallest_diameter, c.largest_diameter}) {
     for (const double partner : {c.smallest_diameter, c.diameter, c.largest_diameter}) {

@@ -4,19 +4,29 @@
 
 #include "repose/core/inline.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace repose {
 
 /// What a force law may know of a touching pair; a law never sees the grains. Signs: overlap > 0 touching,
 /// closing_speed > 0 approaching.
 template <class T>
 struct Touch {
-  T distance;       ///< [L] between the centres
-  T diameter;       ///< [L] mean of the two diameters: the distance at which rigid grains would touch
-  T overlap;        ///< [L] diameter - distance
-  T engagement;     ///< [L] cutoff distance - distance, > 0: how deep the pair is in the reach of the normal law
-  T closing_speed;  ///< [L/T]
-  T mass;           ///< [M] 2 m_i m_j / (m_i + m_j): the mass of either for equal grains, twice the reduced mass
+  T distance;          ///< [L] between the centres
+  T inverse_distance;  ///< [1/L]
+  T diameter;          ///< [L] mean of the two diameters: the distance at which rigid grains would touch
+  T overlap;           ///< [L] diameter - distance
+  T engagement;        ///< [L] cutoff distance - distance, > 0: how deep the pair is in the reach of the normal law
+  T closing_speed;     ///< [L/T]
+  T mass;              ///< [M] 2 m_i m_j / (m_i + m_j): the mass of either for equal grains, twice the reduced mass
 };
+
+/// A touch from its independent numbers; `within` [L] is the distance below which the normal law acts.
+template <class T>
+REPOSE_FN Touch<T> make_touch(T distance, T inverse_distance, T diameter, T within, T closing_speed, T mass) {
+  return {distance, inverse_distance, diameter, diameter - distance, within - distance, closing_speed, mass};
+}
 
 /// A normal force in its parts.
 template <class T>
@@ -38,7 +48,7 @@ REPOSE_FN T positive_part(T a) {
 /// Whether the dashpot may pull: real dry grains do not attract, so the default cuts the total force at zero.
 template <class T>
 REPOSE_FN T without_attraction(bool attraction, T force) {
-  return choose(attraction || force > T(0), force, T(0));
+  return std::max(force, attraction ? -std::numeric_limits<T>::infinity() : T(0));
 }
 
 }  // namespace repose

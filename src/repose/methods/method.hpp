@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
-
 #include "repose/core/contacts.hpp"
 #include "repose/core/grains.hpp"
 #include "repose/core/team.hpp"
+
+#include <vector>
 
 namespace repose {
 
@@ -27,6 +27,9 @@ class Method {
 
   /// To be told when grains were added at the end of the arrays.
   virtual void grains_added(Grains<D>& grains) = 0;
+
+  /// Brings what the method knows of the grains up to date now: grains that have left the box are dropped.
+  virtual void refresh(Grains<D>& grains, Team& team) = 0;
 
   /// Contacts of the present state, ordered by ids.
   virtual Contacts<D> contacts(const Grains<D>& grains) const = 0;

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/box.hpp"
+#include "repose/core/vec.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
-
-#include "repose/core/box.hpp"
-#include "repose/core/vec.hpp"
 
 namespace repose {
 

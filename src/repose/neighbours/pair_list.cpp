@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/neighbours/pair_list.hpp"
 
+#include "repose/neighbours/cell_grid.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "repose/neighbours/cell_grid.hpp"
 
 namespace repose {
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "repose/core/box.hpp"
 #include "repose/core/grains.hpp"
 #include "repose/core/team.hpp"
+
+#include <cstdint>
+#include <vector>
 
 namespace repose {
 

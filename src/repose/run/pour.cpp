@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/run/pour.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "repose/core/random.hpp"
 #include "repose/run/setup.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace repose {
 
@@ -17,7 +17,7 @@ Pour::Pour(const Scene& scene, double time_step, std::int64_t first_id)
 
 long Pour::next_step() const {
   const double due = static_cast<double>(released_) / scene_.source.rate;
-  return std::max(static_cast<long>(std::ceil(due / time_step_)), retry_);
+  return std::max(static_cast<long>(std::ceil(std::min(due / time_step_, 1e15))), retry_);
 }
 
 double Pour::waiting(long step) const {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
-
 #include "repose/core/grains.hpp"
 #include "repose/scene/scene.hpp"
+
+#include <cstdint>
 
 namespace repose {
 
@@ -36,7 +36,7 @@ class Pour {
   std::int64_t first_id_;
   std::int64_t count_ = 0;
   std::int64_t released_ = 0;
-  long retry_ = 0;       // step of the next try while waiting for room
+  long retry_ = 0;           // step of the next try while waiting for room
   std::uint32_t tries_ = 0;  // tries so far for the grain that is due
 };
 

@@ -6,7 +6,7 @@ namespace repose {
 
 Reading read(const Simulation& simulation, const Contacts<2>& contacts) {
   const auto& scene = simulation.scene();
-  const auto& grains = simulation.grains();
+  const auto grains = simulation.wrapped_grains();
   Reading reading;
   const auto in_heap = supported(grains, contacts);
   reading.heap = read_heap(grains, in_heap, reading.base_height, scene.analysis.bin_width);

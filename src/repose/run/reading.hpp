@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
-
 #include "repose/analysis/base_profile.hpp"
 #include "repose/analysis/force_network.hpp"
 #include "repose/analysis/heap.hpp"
 #include "repose/run/simulation.hpp"
+
+#include <optional>
 
 namespace repose {
 

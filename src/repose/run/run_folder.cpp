@@ -2,15 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/run/run_folder.hpp"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <limits>
-
 #include "repose/core/errors.hpp"
 #include "repose/core/version.hpp"
 #include "repose/io/hdf5_file.hpp"
@@ -19,6 +10,15 @@
 #include "repose/run/setup.hpp"
 #include "repose/run/summary.hpp"
 #include "repose/scene/write.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <limits>
 
 namespace fs = std::filesystem;
 
@@ -29,12 +29,17 @@ namespace {
 constexpr const char* own_files[] = {"scene.toml", "run.h5", "summary.json"};
 constexpr const char* own_folders[] = {"frames", "pictures"};
 
-bool holds_a_run(const fs::path& path) { return fs::exists(path / "scene.toml") && fs::exists(path / "run.h5"); }
+bool is_there(const fs::path& path) {
+  std::error_code error;
+  return fs::exists(path, error);
+}
+
+bool holds_a_run(const fs::path& path) { return is_there(path / "scene.toml") && is_there(path / "run.h5"); }
 
 /// The closest existing folder at or above a path.
 fs::path existing_ancestor(fs::path path) {
   path = fs::absolute(path);
-  while (!fs::exists(path) && path.has_relative_path()) path = path.parent_path();
+  while (!is_there(path) && path.has_relative_path()) path = path.parent_path();
   return path;
 }
 
@@ -147,7 +152,9 @@ void write_surface(Hdf5File& file, const Reading& reading, double bin_width) {
 
 std::vector<std::string> RunFolder::problems(const std::string& path, bool overwrite) {
   std::error_code error;
-  if (fs::exists(path, error)) {
+  const bool there = fs::exists(path, error);
+  if (error) return {fmt::format("{}: cannot write a run here: {}", path, error.message())};
+  if (there) {
     if (!fs::is_directory(path)) return {fmt::format("{}: cannot write a run here: is a file", path)};
     if (::access(path.c_str(), W_OK | X_OK | R_OK) != 0) {
       return {fmt::format("{}: cannot write a run here: {}", path, std::strerror(errno))};
@@ -160,7 +167,8 @@ std::vector<std::string> RunFolder::problems(const std::string& path, bool overw
     return {};
   }
   const auto parent = existing_ancestor(path);
-  if (!fs::is_directory(parent)) return {fmt::format("{}: cannot write a run here: {} is a file", path, parent.string())};
+  if (!fs::is_directory(parent))
+    return {fmt::format("{}: cannot write a run here: {} is a file", path, parent.string())};
   if (::access(parent.c_str(), W_OK | X_OK) != 0) {
     return {fmt::format("{}: cannot write a run here: {}: {}", path, parent.string(), std::strerror(errno))};
   }
@@ -172,14 +180,24 @@ RunFolder::RunFolder(std::string path, const Simulation& simulation) : path_(std
   std::error_code error;
   fs::create_directories(path_, error);
   if (error) throw InputError(fmt::format("{}: cannot make the folder: {}", path_, error.message()));
+  // The new start is written beside an older run, which goes only when nothing can fail any more.
+  const std::string beside = path_ + "/new";
+  const std::string target = path_;
   try {
-    clear_older_run(path_);
+    fs::create_directory(beside);
+    path_ = beside;
     write_text_file(path_ + "/scene.toml", scene_text(simulation.scene()));
     write_run(simulation);
-  } catch (const std::exception& failure) {
+    path_ = target;
     clear_older_run(path_);
-    for (auto made = fs::absolute(path_); made != ancestor; made = made.parent_path()) fs::remove(made, error);
-    throw InputError(failure.what());
+    for (const auto* name : own_files) fs::rename(fs::path(beside) / name, fs::path(path_) / name);
+    fs::remove_all(beside);
+  } catch (const std::exception& failure) {
+    fs::remove_all(beside, error);
+    for (auto made = fs::absolute(target); made != ancestor; made = made.parent_path()) fs::remove(made, error);
+    std::string why = failure.what();
+    if (why.starts_with(beside)) why.replace(0, beside.size(), target);
+    throw InputError(why);
   }
 }
 
@@ -191,7 +209,7 @@ void RunFolder::write(const Simulation& simulation, bool frame) {
     Hdf5File file(fmt::format("{}/frames/{}.h5", path_, name));
     file.attribute("/", "time", simulation.time());
     file.attribute("/", "steps", static_cast<std::int64_t>(simulation.steps()));
-    write_grains(file, simulation.grains());
+    write_grains(file, simulation.wrapped_grains());
     write_contacts(file, simulation.contacts());
     file.commit();
     frames_.push_back(name);
@@ -204,7 +222,7 @@ void RunFolder::write_run(const Simulation& simulation) {
   const auto reading = read(simulation, contacts);
   Hdf5File file(path_ + "/run.h5");
   write_header(file, simulation);
-  write_grains(file, simulation.grains());
+  write_grains(file, simulation.wrapped_grains());
   write_contacts(file, contacts);
   write_planes(file, simulation.scene());
   write_series(file, simulation.series());

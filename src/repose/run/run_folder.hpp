@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/run/simulation.hpp"
+
 #include <string>
 #include <vector>
-
-#include "repose/run/simulation.hpp"
 
 namespace repose {
 

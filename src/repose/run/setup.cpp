@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/run/setup.hpp"
 
-#include <cmath>
-
 #include "repose/methods/soft/soft.hpp"
+
+#include <cmath>
 
 namespace repose {
 
@@ -66,7 +66,8 @@ std::vector<Plane<2>> make_planes(const Scene& scene) {
   if (scene.base.kind == "plane") planes.push_back({{{0.0, 0.0}}, {{0.0, 1.0}}, scene.base.smooth});
   for (const auto& wall : scene.planes) {
     const Vec<2> normal{{wall.normal[0], wall.normal[1]}};
-    planes.push_back({{{wall.point[0], wall.point[1]}}, normal * (1.0 / magnitude(normal)), wall.smooth});
+    planes.push_back(
+        {{{wall.point[0], wall.point[1]}}, normal * (1.0 / std::hypot(normal[0], normal[1])), wall.smooth});
   }
   return planes;
 }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <memory>
-
 #include "repose/core/grains.hpp"
 #include "repose/methods/method.hpp"
 #include "repose/methods/soft/settings.hpp"
 #include "repose/scene/scene.hpp"
+
+#include <memory>
 
 namespace repose {
 

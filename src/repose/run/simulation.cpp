@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/run/simulation.hpp"
 
+#include "repose/analysis/force_network.hpp"
+#include "repose/run/setup.hpp"
+#include "repose/run/steps.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <unordered_map>
-
-#include "repose/analysis/force_network.hpp"
-#include "repose/run/setup.hpp"
 
 namespace repose {
 
@@ -19,16 +20,21 @@ namespace {
 /// Beyond this the centres are closer than a quarter of the mean diameter: no law is meant for that.
 constexpr double largest_overlap = 0.75;
 
-long in_steps(double time, double time_step) { return std::max(1L, std::lround(time / time_step)); }
+/// Grain-steps after which the program looks up: whether it is to stop. About a second of one core.
+constexpr double longest_spell = 1e7;
 
 }  // namespace
 
 std::string status_text(Status status) {
   switch (status) {
-    case Status::running: return "running";
-    case Status::finished: return "finished";
-    case Status::interrupted: return "interrupted";
-    case Status::failed: return "failed";
+    case Status::running:
+      return "running";
+    case Status::finished:
+      return "finished";
+    case Status::interrupted:
+      return "interrupted";
+    case Status::failed:
+      return "failed";
   }
   return "";
 }
@@ -41,10 +47,9 @@ Simulation::Simulation(Scene scene, int threads)
       time_step_(method_->time_step()),
       pour_(scene_, time_step_, static_cast<std::int64_t>(grains_.size())),
       placed_(static_cast<std::int64_t>(moving_count(grains_))),
-      observe_every_(in_steps(scene_.output.series, time_step_)),
+      observe_every_(steps_in(scene_.output.series, time_step_)),
       frame_every_(scene_.output.frames > 0.0
-                       ? std::max(1L, std::lround(scene_.output.frames / (static_cast<double>(observe_every_) * time_step_))) *
-                             observe_every_
+                       ? steps_in(scene_.output.frames, static_cast<double>(observe_every_) * time_step_)
                        : 0) {
   for (std::size_t k = 0; k < grains_.size(); ++k) {
     if (grains_.line[k].fixed()) fixed_ids_.push_back(grains_.id[k]);
@@ -62,9 +67,11 @@ std::int64_t Simulation::grains_lost() const {
 }
 
 long Simulation::next_stop() const {
-  long next = (step_ / observe_every_ + 1) * observe_every_;
+  const double spell = longest_spell / (1.0 + static_cast<double>(grains_.size()));
+  long next = step_ + std::max(1L, static_cast<long>(spell));
+  next = std::min(next, (step_ / observe_every_ + 1) * observe_every_);
   if (!pour_.done()) next = std::min(next, pour_.next_step());
-  if (scene_.stop.time) next = std::min(next, in_steps(*scene_.stop.time, time_step_));
+  if (scene_.stop.time) next = std::min(next, steps_in(*scene_.stop.time, time_step_));
   return next;
 }
 
@@ -79,6 +86,10 @@ void Simulation::release_due_grains() {
 void Simulation::run(const Hooks& hooks, const std::atomic<bool>& interrupt) {
   started_ = std::chrono::steady_clock::now();
   release_due_grains();
+  method_->refresh(grains_, team_);
+  if (const auto start = contacts(); max_overlap(start) > largest_overlap) {
+    stop(Status::failed, describe_trouble(start));
+  }
   while (status_ == Status::running) {
     const auto report = method_->advance(grains_, next_stop() - step_, team_);
     step_ += report.steps;
@@ -87,7 +98,7 @@ void Simulation::run(const Hooks& hooks, const std::atomic<bool>& interrupt) {
       stop(Status::failed, describe_trouble(contacts()));
       break;
     }
-    const bool out_of_time = scene_.stop.time && step_ >= in_steps(*scene_.stop.time, time_step_);
+    const bool out_of_time = scene_.stop.time && step_ >= steps_in(*scene_.stop.time, time_step_);
     if (step_ % observe_every_ == 0 || out_of_time) observe(hooks);
     if (status_ == Status::running && out_of_time) {
       stop(Status::finished, fmt::format("reached stop.time = {}", *scene_.stop.time));
@@ -98,6 +109,9 @@ void Simulation::run(const Hooks& hooks, const std::atomic<bool>& interrupt) {
 }
 
 void Simulation::observe(const Hooks& hooks) {
+  const auto box = make_box(scene_);
+  const auto has_left = [&](const auto& grain) { return !grain.fixed() && box.outside(grain.position); };
+  if (std::any_of(grains_.line.begin(), grains_.line.end(), has_left)) method_->refresh(grains_, team_);
   moving_ = moving_count(grains_);
   record_reactions();
   const auto contacts = method_->contacts(grains_);
@@ -124,15 +138,15 @@ void Simulation::observe(const Hooks& hooks) {
                                      pour_.released() + 1, pour_.count(), scene_.source.height));
   }
   if (hooks.observed) hooks.observed(*this);
-  if (hooks.frame && status_ == Status::running && frame_every_ > 0 && step_ % frame_every_ == 0) hooks.frame(*this);
+  if (hooks.frame && status_ == Status::running && frame_every_ > 0 && step_ / observe_every_ % frame_every_ == 0)
+    hooks.frame(*this);
 }
 
 bool Simulation::at_rest() const {
   if (!scene_.stop.at_rest || !pour_.done()) return false;
   const double energy_unit = scene_.grain_weight() * scene_.grains.diameter;
   const auto& now = series_.back();
-  return now.kinetic_energy_per_grain < *scene_.stop.at_rest * energy_unit &&
-         now.force_residual < *scene_.stop.at_rest;
+  return now.kinetic_energy_per_grain < *scene_.stop.at_rest * energy_unit && now.force_residual < *scene_.stop.at_rest;
 }
 
 void Simulation::record_reactions() {
@@ -150,6 +164,13 @@ void Simulation::record_reactions() {
   while (window_.size() > 1 && window_[1].start <= time() - scene_.output.window + 1e-9 * time_step_) {
     window_.pop_front();
   }
+}
+
+Grains<2> Simulation::wrapped_grains() const {
+  const auto box = make_box(scene_);
+  Grains<2> grains = grains_;
+  for (auto& grain : grains.line) grain.position = box.wrapped(grain.position);
+  return grains;
 }
 
 BaseProfile Simulation::base_profile() const {
@@ -208,10 +229,10 @@ std::string Simulation::describe_trouble(const Contacts<2>& contacts) const {
                                 contact.relative_overlap));
   }
   constexpr std::size_t most = 8;
-  std::string text = fmt::format("the grains explode at time {:.6g} (step {}): ", time(), step_);
+  std::string text = fmt::format("the grains cannot be followed beyond time {:.6g} (step {}): ", time(), step_);
   for (std::size_t k = 0; k < std::min(most, found.size()); ++k) text += (k > 0 ? "; " : "") + found[k];
   if (found.size() > most) text += fmt::format("; and {} more", found.size() - most);
-  return text + ". A smaller method.time_step or a stiffer contact may help";
+  return text + ". A smaller method.time_step, a stiffer contact or a lower fall may help";
 }
 
 }  // namespace repose

@@ -2,6 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/analysis/base_profile.hpp"
+#include "repose/core/contacts.hpp"
+#include "repose/core/grains.hpp"
+#include "repose/core/team.hpp"
+#include "repose/methods/method.hpp"
+#include "repose/run/pour.hpp"
+#include "repose/scene/scene.hpp"
+
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -10,14 +18,6 @@
 #include <memory>
 #include <string>
 #include <vector>
-
-#include "repose/analysis/base_profile.hpp"
-#include "repose/core/contacts.hpp"
-#include "repose/core/grains.hpp"
-#include "repose/core/team.hpp"
-#include "repose/methods/method.hpp"
-#include "repose/run/pour.hpp"
-#include "repose/scene/scene.hpp"
 
 namespace repose {
 
@@ -50,6 +50,8 @@ class Simulation {
 
   const Scene& scene() const { return scene_; }
   const Grains<2>& grains() const { return grains_; }
+  /// The grains with their positions brought into the periodic box.
+  Grains<2> wrapped_grains() const;
   Contacts<2> contacts() const { return method_->contacts(grains_); }
   const std::vector<SeriesRow>& series() const { return series_; }
   BaseProfile base_profile() const;
@@ -92,7 +94,7 @@ class Simulation {
   std::int64_t placed_ = 0;  // moving grains at the start
   std::vector<std::int64_t> fixed_ids_;
   long observe_every_;
-  long frame_every_;  // in steps; 0: never
+  long frame_every_;  // in observations; 0: never
   long step_ = 0;
   double grain_steps_ = 0.0;
   std::size_t moving_ = 0;

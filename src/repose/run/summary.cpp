@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/run/summary.hpp"
 
+#include "repose/core/version.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-
-#include "repose/core/version.hpp"
 
 namespace repose {
 
@@ -27,10 +27,8 @@ Json angle(const HeapShape& heap) {
 
 Json base_profile(const BaseProfile& base) {
   if (base.x.empty()) return nullptr;
-  return {{"x", base.x},
-          {"normal", base.normal},
-          {"shear", base.shear},
-          {"window", {base.window_start, base.window_end}}};
+  return {
+      {"x", base.x}, {"normal", base.normal}, {"shear", base.shear}, {"window", {base.window_start, base.window_end}}};
 }
 
 Json dip_json(const std::optional<BaseDip>& dip) {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string>
-
 #include "repose/run/reading.hpp"
+
+#include <string>
 
 namespace repose {
 

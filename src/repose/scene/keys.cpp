@@ -91,8 +91,8 @@ void surroundings_keys(Scene& scene, Keys& keys) {
   }
   keys.choice("box.x", scene.box.x, "open", {"open", "periodic"}, "grains that leave an open box are lost and counted");
   const double room = scene.base.kind == "row" ? scene.base.half_width : 200.0 * d;
-  keys.number("box.half_width", scene.box.half_width, scene.box.x == "periodic" ? room : room + 20.0 * d, positive,
-              "L", "x from -half_width to half_width");
+  keys.number("box.half_width", scene.box.half_width, scene.box.x == "periodic" ? room : room + 20.0 * d, positive, "L",
+              "x from -half_width to half_width");
   keys.tables(
       "plane",
       [&](std::size_t count) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/scene/scene.hpp"
+
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -10,8 +12,6 @@
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "repose/scene/scene.hpp"
 
 namespace repose {
 
@@ -22,9 +22,7 @@ struct Bounds {
   bool low_allowed = true;
   bool high_allowed = true;
 
-  bool holds(double x) const {
-    return (low_allowed ? x >= low : x > low) && (high_allowed ? x <= high : x < high);
-  }
+  bool holds(double x) const { return (low_allowed ? x >= low : x > low) && (high_allowed ? x <= high : x < high); }
   std::string text() const;
 };
 inline constexpr Bounds any{};
@@ -54,8 +52,7 @@ class Keys {
   virtual void choice(const std::string& key, std::string& value, std::string_view fallback,
                       const std::vector<std::string>& words, std::string_view about) = 0;
   virtual void vector(const std::string& key, std::array<double, 2>& value,
-                      std::optional<std::array<double, 2>> fallback, std::string_view unit,
-                      std::string_view about) = 0;
+                      std::optional<std::array<double, 2>> fallback, std::string_view unit, std::string_view about) = 0;
   /// An array of tables [[key]]: resizes through `resize` on reading, and calls `each` for every entry.
   virtual void tables(const std::string& key, const std::function<std::size_t(std::size_t)>& resize,
                       const std::function<void(const std::string& prefix, std::size_t index)>& each) = 0;

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/scene/read.hpp"
 
+#include "repose/core/errors.hpp"
+#include "repose/laws/time_step.hpp"
+#include "repose/scene/reader.hpp"
+
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -10,10 +14,6 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-
-#include "repose/core/errors.hpp"
-#include "repose/laws/time_step.hpp"
-#include "repose/scene/reader.hpp"
 
 namespace repose {
 
@@ -37,8 +37,13 @@ std::string trimmed(const std::string& text) {
 std::string apply(const std::string& setting, toml::table& root, std::vector<std::string>& problems) {
   const auto equals = setting.find('=');
   const std::string key = trimmed(setting.substr(0, equals));
-  if (equals == std::string::npos || key.empty()) {
-    problems.push_back(fmt::format("--set {}: must be KEY=VALUE", setting));
+  const bool empty_step = key.empty() || key.front() == '.' || key.back() == '.' || key.find("..") != std::string::npos;
+  if (equals == std::string::npos || empty_step || setting.find('\n') != std::string::npos) {
+    problems.push_back(fmt::format("--set {}: must be KEY=VALUE, with a key as in contact.friction", setting));
+    return "";
+  }
+  if (key.find('[') != std::string::npos) {
+    problems.push_back(fmt::format("--set {}: entries of lists are set in the scene file only", setting));
     return "";
   }
   const std::string value = trimmed(setting.substr(equals + 1));
@@ -70,7 +75,7 @@ void check_together(const Scene& scene, Reader& reader) {
   if (continuous && scene.gravity == 0.0 && reader.sound("gravity")) {
     reader.problem("gravity", " = 0: the continuous law has its force scale from gravity; use hooke or gravity > 0");
   }
-  if (scene.source.kind == "none" && scene.placed.empty()) {
+  if (scene.source.kind == "none" && scene.placed.empty() && reader.sound("grain") && reader.sound("source.kind")) {
     reader.problem("source.kind", ": there are no grains: needs source.kind = \"pour\" or at least one [[grain]]");
   }
   if (scene.source.kind == "pour" && scene.gravity == 0.0 && reader.sound("gravity")) {
@@ -80,13 +85,22 @@ void check_together(const Scene& scene, Reader& reader) {
     reader.problem("stop", ": missing: give time, at_rest or both; the run ends at whichever comes first");
   }
   const double d = scene.grains.diameter;
+  constexpr double most_base_grains = 1e7;
+  const double row = scene.box.x == "periodic" ? scene.box.half_width : scene.base.half_width;
+  if (scene.base.kind == "row" && 2.0 * row / scene.base.spacing > most_base_grains && reader.sound("base.spacing") &&
+      reader.sound("base.half_width")) {
+    reader.problem("base.spacing",
+                   fmt::format(" = {}: the row of half-width {} would have {:.3g} grains; at most {:g}",
+                               scene.base.spacing, row, 2.0 * row / scene.base.spacing, most_base_grains));
+  }
   if (scene.box.x == "periodic" && reader.sound("box.half_width")) {
     if (scene.box.half_width < 4.0 * scene.largest_diameter()) {
-      reader.problem("box.half_width", fmt::format(" = {}: a periodic box must be at least 8 diameters wide",
-                                                   scene.box.half_width));
+      reader.problem("box.half_width",
+                     fmt::format(" = {}: a periodic box must be at least 8 diameters wide", scene.box.half_width));
     }
     const double discs = 2.0 * scene.box.half_width / scene.base.spacing;
-    if (scene.base.kind == "row" && reader.sound("base.spacing") && std::fabs(discs - std::round(discs)) > 1e-9 * discs) {
+    if (scene.base.kind == "row" && reader.sound("base.spacing") &&
+        std::fabs(discs - std::round(discs)) > 1e-9 * discs) {
       reader.problem("base.spacing",
                      fmt::format(" = {}: must divide the width {} of the periodic box into whole spacings",
                                  scene.base.spacing, 2.0 * scene.box.half_width));
@@ -108,11 +122,26 @@ void check_together(const Scene& scene, Reader& reader) {
                                                     scene.source.half_width, scene.box.half_width));
   }
   for (std::size_t k = 0; k < scene.planes.size(); ++k) {
-    if (scene.planes[k].normal == std::array<double, 2>{}) {
-      const auto key = fmt::format("plane[{}].normal", k);
-      if (reader.sound(key)) reader.problem(key, " = [0, 0]: must have a direction");
+    const auto& [x, y] = scene.planes[k].normal;
+    const auto key = fmt::format("plane[{}].normal", k);
+    if (std::hypot(x, y) < 1e-100 && reader.sound(key)) {
+      reader.problem(key, fmt::format(" = [{}, {}]: must have a direction", x, y));
     }
   }
+  for (std::size_t k = 0; k < scene.placed.size(); ++k) {
+    const auto key = fmt::format("grain[{}].position", k);
+    if (std::fabs(scene.placed[k].position[0]) > scene.box.half_width && reader.sound(key) &&
+        reader.sound("box.half_width")) {
+      reader.problem(key, fmt::format(" = [{}, {}]: must lie within the box, x = +-{}", scene.placed[k].position[0],
+                                      scene.placed[k].position[1], scene.box.half_width));
+    }
+  }
+}
+
+/// Four digits of x > 0, rounded down.
+double rounded_down(double x) {
+  const double digit = std::pow(10.0, std::floor(std::log10(x)) - 3.0);
+  return std::floor(x / digit) * digit;
 }
 
 /// The explicit step against the stiffest contact; only where all that it depends on is sound.
@@ -121,12 +150,12 @@ void check_time_step(const Scene& scene, Reader& reader) {
   const double frequency = scene.contact_frequency();
   const double step = *scene.method.time_step;
   if (step * frequency <= largest_phase) return;
-  reader.problem("method.time_step",
-                 fmt::format(" = {}: unstable: the stiffest contact (a fall from the source) has the frequency w = {:.4g}"
-                             " and w dt = {:.3g} > 1; the largest step that is not refused is {:.4g}, \"auto\" takes "
-                             "{:.4g} [T]",
-                             step, frequency, step * frequency, std::nextafter(largest_phase / frequency, 0.0),
-                             auto_phase / frequency));
+  reader.problem(
+      "method.time_step",
+      fmt::format(" = {}: unstable: the stiffest contact (a fall from the source) has the frequency w = {:.4g}"
+                  " and w dt = {:.3g} > 1; the largest step that is not refused is {:.4g}, \"auto\" takes "
+                  "{:.4g} [T]",
+                  step, frequency, step * frequency, rounded_down(largest_phase / frequency), auto_phase / frequency));
 }
 
 }  // namespace
@@ -157,7 +186,8 @@ Scene read_scene_text(const std::string& text, const std::string& name, const Ov
 
 Scene read_scene(const std::string& path, const Overrides& overrides) {
   errno = 0;
-  if (std::filesystem::is_directory(path)) throw InputError(fmt::format("{}: cannot read: is a folder", path));
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) throw InputError(fmt::format("{}: cannot read: is a folder", path));
   std::ifstream file(path);
   std::ostringstream text;
   if (file) text << file.rdbuf();

@@ -14,13 +14,20 @@ namespace {
 
 std::string_view type_name(const toml::node& node) {
   switch (node.type()) {
-    case toml::node_type::table: return "a table";
-    case toml::node_type::array: return "a list";
-    case toml::node_type::string: return "text";
-    case toml::node_type::integer: return "a whole number";
-    case toml::node_type::floating_point: return "a number";
-    case toml::node_type::boolean: return "true or false";
-    default: return "a date or time";
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "a list";
+    case toml::node_type::string:
+      return "text";
+    case toml::node_type::integer:
+      return "a whole number";
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "true or false";
+    default:
+      return "a date or time";
   }
 }
 
@@ -31,7 +38,12 @@ std::string value_text(const toml::node& node) {
   if (const auto text = node.value<std::string>(); node.is_string()) return fmt::format("\"{}\"", *text);
   std::ostringstream out;
   node.visit([&](const auto& value) { out << value; });
-  return out.str();
+  std::string line;
+  for (const char c : out.str()) {  // a long list is printed over several lines
+    const bool space = c == ' ' || c == '\n' || c == '\t';
+    if (!space || (!line.empty() && line.back() != ' ')) line += space ? ' ' : c;
+  }
+  return line;
 }
 
 /// Splits "a.b[2].c" into "a", "b", "[2]", "c".
@@ -106,8 +118,8 @@ void Reader::check_bounds(const std::string& key, const toml::node& node, double
   problem(key, fmt::format(" = {}: {}{}", value_text(node), allowed, unit.empty() ? "" : fmt::format(" [{}]", unit)));
 }
 
-void Reader::number(const std::string& key, double& value, double fallback, const Bounds& bounds,
-                    std::string_view unit, std::string_view about) {
+void Reader::number(const std::string& key, double& value, double fallback, const Bounds& bounds, std::string_view unit,
+                    std::string_view about) {
   asked_.insert(key);
   const auto* node = find(key);
   // Something sound to go on with, so that one problem does not bring about others.
@@ -189,8 +201,8 @@ void Reader::choice(const std::string& key, std::string& value, std::string_view
   value = word;
 }
 
-void Reader::vector(const std::string& key, std::array<double, 2>& value,
-                    std::optional<std::array<double, 2>> fallback, std::string_view /*unit*/, std::string_view about) {
+void Reader::vector(const std::string& key, std::array<double, 2>& value, std::optional<std::array<double, 2>> fallback,
+                    std::string_view /*unit*/, std::string_view about) {
   asked_.insert(key);
   value = fallback.value_or(std::array<double, 2>{});
   const auto* node = find(key);
@@ -199,10 +211,15 @@ void Reader::vector(const std::string& key, std::array<double, 2>& value,
     return;
   }
   const auto* list = node->as_array();
-  if (list == nullptr || list->size() != 2) return wrong_type(key, *node, "a list of two numbers");
+  if (list == nullptr) return wrong_type(key, *node, "a list of two numbers");
+  if (list->size() != 2) {
+    return problem(key, fmt::format(" = {}: must be a list of two numbers, has {}", value_text(*node), list->size()));
+  }
   for (std::size_t k = 0; k < 2; ++k) {
     const auto component = list->get(k)->is_number() ? list->get(k)->value<double>() : std::nullopt;
-    if (!component || !std::isfinite(*component)) return wrong_type(key, *node, "a list of two finite numbers");
+    if (!component || !std::isfinite(*component)) {
+      return problem(key, fmt::format(" = {}: must be a list of two finite numbers", value_text(*node)));
+    }
     value[k] = *component;
   }
 }
@@ -213,7 +230,7 @@ void Reader::tables(const std::string& key, const std::function<std::size_t(std:
   const auto* node = find(key);
   if (node == nullptr) return;
   const auto* list = node->as_array();
-  if (list == nullptr || !list->is_homogeneous(toml::node_type::table)) {
+  if (list == nullptr || (!list->empty() && !list->is_homogeneous(toml::node_type::table))) {
     return wrong_type(key, *node, fmt::format("a list of tables, each headed [[{}]]", key));
   }
   const auto count = resize(list->size());
@@ -244,8 +261,8 @@ void Reader::unknown_in(const toml::node& node, const std::string& key) {
     const auto rest = known.substr(parent.empty() ? 0 : parent.size() + 1);
     siblings.insert(rest.substr(0, rest.find_first_of(".[")));
   }
-  problem(key, siblings.empty() ? ": unknown key"
-                                : fmt::format(": unknown key; known here: {}", fmt::join(siblings, ", ")));
+  problem(key,
+          siblings.empty() ? ": unknown key" : fmt::format(": unknown key; known here: {}", fmt::join(siblings, ", ")));
 }
 
 }  // namespace repose

@@ -8,9 +8,9 @@
 #include <vector>
 
 // The library is used as headers only, inside this folder.
-#include <toml++/toml.h>
-
 #include "repose/scene/keys.hpp"
+
+#include <toml++/toml.h>
 
 namespace repose {
 

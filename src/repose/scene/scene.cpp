@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/scene/scene.hpp"
 
+#include "repose/laws/time_step.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "repose/laws/time_step.hpp"
 
 namespace repose {
 
@@ -42,8 +42,6 @@ double Scene::contact_frequency() const {
   return stiffest_contact(contact.normal, contact.tangential, conditions).frequency;
 }
 
-double Scene::time_step() const {
-  return method.time_step ? *method.time_step : auto_phase / contact_frequency();
-}
+double Scene::time_step() const { return method.time_step ? *method.time_step : auto_phase / contact_frequency(); }
 
 }  // namespace repose

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/laws/registry.hpp"
+
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "repose/laws/registry.hpp"
 
 namespace repose {
 
@@ -68,7 +68,7 @@ struct Scene {
   std::vector<Placed> placed;
 
   struct Source {
-    std::string kind;         ///< "pour" or "none"
+    std::string kind;  ///< "pour" or "none"
     std::int64_t count = 0;
     double rate = 0.0;        ///< [1/T]
     double height = 0.0;      ///< [L] above the base

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/scene/write.hpp"
 
-#include <fmt/format.h>
-
 #include "repose/scene/keys.hpp"
+
+#include <fmt/format.h>
 
 namespace repose {
 

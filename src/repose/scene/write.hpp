@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string>
-
 #include "repose/scene/scene.hpp"
+
+#include <string>
 
 namespace repose {
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
-
 #include "repose/laws/touch.hpp"
+
+#include <cmath>
 
 namespace repose {
 
@@ -41,12 +41,10 @@ struct Continuous {
 REPOSE_FN double reach(const Continuous& law) { return law.cutoff; }
 
 REPOSE_FN NormalForce<double> normal_force(const Continuous& law, const Touch<double>& touch) {
-  const double inverse = 1.0 / touch.distance;
-  const double x = touch.diameter * inverse;
-  const double power =
-      law.whole_exponent != 0 ? whole_power(x, law.whole_exponent) : std::pow(x, law.exponent + 1.0);
+  const double x = touch.diameter * touch.inverse_distance;
+  const double power = law.whole_exponent != 0 ? whole_power(x, law.whole_exponent) : std::pow(x, law.exponent + 1.0);
   const double elastic = touch.mass * law.gravity * power;
-  const double stiffness = (law.exponent + 1.0) * elastic * inverse;
+  const double stiffness = (law.exponent + 1.0) * elastic * touch.inverse_distance;
   const double dashpot = 2.0 * law.damping * std::sqrt(touch.mass * stiffness);
   return {elastic, without_attraction(law.attraction, elastic + dashpot * touch.closing_speed)};
 }

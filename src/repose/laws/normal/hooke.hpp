@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
-
 #include "repose/laws/touch.hpp"
+
+#include <cmath>
 
 namespace repose {
 
@@ -21,7 +21,7 @@ REPOSE_FN double reach(const Hooke&) { return 1.0; }
 
 REPOSE_FN NormalForce<double> normal_force(const Hooke& law, const Touch<double>& touch) {
   const double elastic = law.stiffness * touch.overlap;
-  const double dashpot = 2.0 * law.damping * std::sqrt(touch.mass * law.stiffness);
+  const double dashpot = 2.0 * law.damping * std::sqrt(law.stiffness) * std::sqrt(touch.mass);
   return {elastic, without_attraction(law.attraction, elastic + dashpot * touch.closing_speed)};
 }
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
-
 #include "repose/core/vec.hpp"
 #include "repose/laws/tangential/limit.hpp"
 #include "repose/laws/touch.hpp"
+
+#include <cmath>
 
 namespace repose {
 
@@ -33,9 +33,10 @@ REPOSE_FN Tangential tangential_force(const Cumulative& law, const Touch<double>
   delta = limited(delta + slip_velocity * dt, furthest);
   if (!(furthest > 0.0)) return Tangential{};
   const double limit = law.friction * normal.elastic;
-  const double rest = positive_part( 1.0 - magnitude(delta) / furthest);
+  const double inverse = 1.0 / furthest;
+  const double rest = positive_part(1.0 - magnitude(delta) * inverse);
   const double root = std::sqrt(rest);
-  const double stiffness = 1.5 * limit / furthest * root;
+  const double stiffness = 1.5 * limit * inverse * root;
   const double dashpot = std::sqrt(touch.mass * stiffness);
   return limited(direction(delta) * (-limit * (1.0 - rest * root)) - slip_velocity * dashpot, limit);
 }

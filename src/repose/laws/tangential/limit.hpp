@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
-
 #include "repose/core/vec.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace repose {
 
 /// The tangent shortened to at most `longest` >= 0.
-REPOSE_FN double limited(double a, double longest) { return std::fabs(a) > longest ? std::copysign(longest, a) : a; }
+REPOSE_FN double limited(double a, double longest) { return std::copysign(std::min(std::fabs(a), longest), a); }
 template <int D>
 REPOSE_FN Vec<D> limited(const Vec<D>& a, double longest) {
   const double length = magnitude(a);

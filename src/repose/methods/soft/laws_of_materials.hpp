@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/errors.hpp"
+
 #include <cstddef>
 #include <utility>
 #include <vector>
-
-#include "repose/core/errors.hpp"
 
 namespace repose::soft {
 

@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
-
 #include "repose/boundaries/plane.hpp"
 #include "repose/core/box.hpp"
 #include "repose/core/grains.hpp"
 #include "repose/laws/contact_force.hpp"
+
+#include <cmath>
 
 namespace repose::soft {
 
 /// What a contact does to its first grain; the second feels minus the force and the same rim torque.
 template <int D>
 struct Push {
-  Vec<D> force{};       ///< [M L/T^2]
+  Vec<D> force{};        ///< [M L/T^2]
   Spin<D> rim_torque{};  ///< [M L/T^2] torque over radius: what changes the rim velocity
 };
 
@@ -34,15 +34,14 @@ REPOSE_FN PairGeometry<D> pair_geometry(const Grain<D>& a, const Grain<D>& b, co
                                         double reach) {
   const double radii = a.radius + b.radius;
   const double distance = std::sqrt(distance2);
-  const Vec<D> normal = d * (1.0 / distance);
+  const double inverse = 1.0 / distance;
+  const Vec<D> normal = d * inverse;
   const double lever = distance / radii;
   const Vec<D> relative = a.velocity - b.velocity;
   const auto rim = a.rim_velocity + b.rim_velocity;
   const double mass = 2.0 * a.mass * b.mass / (a.mass + b.mass);
-  return {{distance, radii, radii - distance, reach - distance, -dot(relative, normal), mass},
-          normal,
-          tangential(relative, normal) - spin_cross(rim * lever, normal),
-          lever};
+  return {make_touch(distance, inverse, radii, reach, -dot(relative, normal), mass), normal,
+          tangential(relative, normal) - spin_cross(rim * lever, normal), lever};
 }
 
 /// Force of pair (a, b) on a; brings the history forward by dt. False, and history zero, if the pair is apart.
@@ -72,10 +71,8 @@ REPOSE_FN bool plane_geometry(const Law& law, const Grain<D>& a, const Plane<D>&
   const double within = reach(law.normal) * diameter;
   if (distance >= within) return false;
   const Tangent<D> slip = tangential(a.velocity, plane.normal) - spin_cross(a.rim_velocity, plane.normal);
-  pair = {{distance, diameter, diameter - distance, within - distance, -dot(a.velocity, plane.normal), a.mass},
-          plane.normal,
-          slip,
-          1.0};
+  pair = {make_touch(distance, 1.0 / distance, diameter, within, -dot(a.velocity, plane.normal), a.mass), plane.normal,
+          slip, 1.0};
   return true;
 }
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <bit>
-#include <cstdint>
-#include <vector>
-
 #include "repose/core/team.hpp"
 #include "repose/methods/soft/pair_force.hpp"
 #include "repose/neighbours/pair_list.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <vector>
 
 namespace repose::soft {
 
@@ -37,11 +37,11 @@ struct alignas(32) Slot {
 template <int D>
 struct Share {
   Range rows;
-  std::vector<EdgePair> edges;        ///< ascending by (i, k): the order in which the sweep comes to them
-  std::vector<Push<D>> edge_push;     ///< forces of the edges in this step
-  std::vector<Arrival> arrivals;      ///< edges that end in this range, ascending by (j, i)
-  std::vector<Slot<D>> ring;          ///< size a power of two, more than the bandwidth
-  double fastest2 = 0.0;              ///< [L^2/T^2] of this step
+  std::vector<EdgePair> edges;     ///< ascending by (i, k): the order in which the sweep comes to them
+  std::vector<Push<D>> edge_push;  ///< forces of the edges in this step
+  std::vector<Arrival> arrivals;   ///< edges that end in this range, ascending by (j, i)
+  std::vector<Slot<D>> ring;       ///< size a power of two, more than the bandwidth
+  double fastest2 = 0.0;           ///< [L^2/T^2] of this step
   bool trouble = false;
 };
 

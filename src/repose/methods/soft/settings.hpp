@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
-
 #include "repose/boundaries/plane.hpp"
 #include "repose/core/box.hpp"
 #include "repose/core/vec.hpp"
+
+#include <vector>
 
 namespace repose {
 
 /// What the soft method needs to know besides the laws.
 template <int D>
 struct SoftSettings {
-  double time_step = 0.0;     ///< [T] > 0
-  Vec<D> gravity{};           ///< [L/T^2]
+  double time_step = 0.0;  ///< [T] > 0
+  Vec<D> gravity{};        ///< [L/T^2]
   Box<D> box{};
   std::vector<Plane<D>> planes;
   bool synchronised = false;  ///< forces from velocities predicted for the full step (large size ratios)

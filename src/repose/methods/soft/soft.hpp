@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/methods/method.hpp"
+#include "repose/methods/soft/sweep.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
-
-#include "repose/methods/method.hpp"
-#include "repose/methods/soft/sweep.hpp"
 
 namespace repose {
 
@@ -32,6 +32,11 @@ class Soft final : public Method<D> {
     for (auto i = grains.half_step.size(); i < grains.size(); ++i) {
       grains.half_step.push_back({grains.line[i].velocity, grains.line[i].rim_velocity});
     }
+  }
+
+  void refresh(Grains<D>& grains, Team& team) override {
+    pairs_.invalidate();
+    refresh_pairs(grains, team);
   }
 
   StepReport advance(Grains<D>& grains, long steps, Team& team) override {
@@ -97,7 +102,7 @@ class Soft final : public Method<D> {
 
   soft::SweepInput<D, Law> input(bool started) {
     const double limit = smallest_radius_ / settings_.time_step;
-    return {laws_, settings_, pairs_, plane_history_, started ? settings_.time_step : 0.5 * settings_.time_step,
+    return {laws_,        settings_, pairs_, plane_history_, started ? settings_.time_step : 0.5 * settings_.time_step,
             limit * limit};
   }
 
@@ -113,13 +118,12 @@ class Soft final : public Method<D> {
 template <int D, class Law>
 Contacts<D> Soft<D, Law>::contacts(const Grains<D>& grains) const {
   Contacts<D> contacts;
-  const auto report = [&](std::int64_t first, std::int64_t second, const Law& law,
-                          const soft::PairGeometry<D>& pair, const ContactForce<Tangent<D>>& force,
-                          const Tangent<D>& history, double first_lever) {
+  const auto report = [&](std::int64_t first, std::int64_t second, const Law& law, const soft::PairGeometry<D>& pair,
+                          const ContactForce<Tangent<D>>& force, const Tangent<D>& history, double first_lever) {
     const double limit = coulomb_limit(law.tangential, force.normal);
-    contacts.list.push_back({first, second, pair.normal, pair.touch.overlap,
-                             pair.touch.overlap / pair.touch.diameter, force.normal.total, force.tangential, history,
-                             first_lever, limit > 0.0 && magnitude(force.tangential) >= limit * (1.0 - 1e-9)});
+    contacts.list.push_back({first, second, pair.normal, pair.touch.overlap, pair.touch.overlap / pair.touch.diameter,
+                             force.normal.total, force.tangential, history, first_lever,
+                             limit > 0.0 && magnitude(force.tangential) >= limit * (1.0 - 1e-9)});
   };
   const auto& box = settings_.box;
   for (std::uint32_t i = 0; i < pairs_.rows(); ++i) {

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
-#include <vector>
-
 #include "repose/methods/soft/laws_of_materials.hpp"
 #include "repose/methods/soft/partition.hpp"
 #include "repose/methods/soft/settings.hpp"
+
+#include <algorithm>
+#include <vector>
 
 /// The step of the soft method over one member's grains.
 ///
@@ -25,8 +25,8 @@ struct SweepInput {
   const SoftSettings<D>& settings;
   PairList<D>& pairs;
   std::vector<std::vector<Tangent<D>>>& plane_history;  ///< per plane and grain
-  double kick;          ///< [T] half a step at the start of time, else a step
-  double speed_limit2;  ///< [L^2/T^2] beyond this a grain cannot be followed
+  double kick;                                          ///< [T] half a step at the start of time, else a step
+  double speed_limit2;                                  ///< [L^2/T^2] beyond this a grain cannot be followed
 };
 
 template <bool Periodic, int D, class Law>
@@ -62,9 +62,8 @@ REPOSE_FN void kick_and_drift(const SweepInput<D, Law>& in, Grains<D>& grains, s
   }
 }
 
-template <bool Periodic, bool Synchronised, int D, class Law>
+template <bool Periodic, bool Synchronised, bool OneMaterial, int D, class Law>
 void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Share<D>>& shares, Share<D>& mine) {
-  const auto single = in.laws.single();
   const Law law = in.laws.first();
   const Box<D> box = in.settings.box;
   const double dt = in.settings.time_step;
@@ -93,18 +92,15 @@ void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Sha
     const auto i = static_cast<std::uint32_t>(row);
     Slot<D> sum = ring[i & mask];
     ring[i & mask] = {};
-    const Grain<D> grain = line[i];
+    const Grain<D>& grain = line[i];
     const auto ring_stop = ring_end(mine.rows, i, PairList<D>::far);
     const auto row_stop = row_start[i + 1];
     auto k = row_start[i];
     for (; k < row_stop && partner[k] < ring_stop; ++k) {
       const auto j = partner[k];
       Push<D> push;
-      const bool touching =
-          single ? pair_force<Periodic>(law, grain, line[j], box, dt, history[k], push)
-                 : pair_force<Periodic>(in.laws.of(grains.material[i], grains.material[j]), grain, line[j], box, dt,
-                                        history[k], push);
-      if (!touching) continue;
+      const Law& pair_law = OneMaterial ? law : in.laws.of(grains.material[i], grains.material[j]);
+      if (!pair_force<Periodic>(pair_law, grain, line[j], box, dt, history[k], push)) continue;
       sum.force += push.force;
       sum.rim_torque += push.rim_torque;
       ring[j & mask].force -= push.force;
@@ -116,14 +112,13 @@ void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Sha
     }
     for (std::size_t p = 0; p < in.settings.planes.size(); ++p) {
       Push<D> push;
-      const auto& own_law = single ? law : in.laws.of(grains.material[i], grains.material[i]);
-      if (!grain.fixed() &&
-          plane_force(own_law, grain, in.settings.planes[p], dt, in.plane_history[p][i], push)) {
+      const Law& own_law = OneMaterial ? law : in.laws.of(grains.material[i], grains.material[i]);
+      if (!grain.fixed() && plane_force(own_law, grain, in.settings.planes[p], dt, in.plane_history[p][i], push)) {
         sum.force += push.force;
         sum.rim_torque += push.rim_torque;
       }
     }
-    if (grain.fixed()) {
+    if (grain.fixed()) [[unlikely]] {
       grains.reaction[i] += sum.force * dt;
     } else {
       kick_and_drift<Synchronised>(in, grains, i, sum);
@@ -140,20 +135,15 @@ void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Sha
 template <int D, class Law>
 void sweep(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Share<D>>& shares, Team& team, int member) {
   auto& mine = shares[static_cast<std::size_t>(member)];
-  const bool periodic = in.settings.box.periodic;
-  if (periodic) {
-    push_edges<true>(in, grains, mine);
-  } else {
-    push_edges<false>(in, grains, mine);
-  }
-  team.wait();
-  const bool synchronised = in.settings.synchronised;
-  if (periodic) {
-    synchronised ? sweep_rows<true, true>(in, grains, shares, mine) : sweep_rows<true, false>(in, grains, shares, mine);
-  } else {
-    synchronised ? sweep_rows<false, true>(in, grains, shares, mine)
-                 : sweep_rows<false, false>(in, grains, shares, mine);
-  }
+  const auto with_flag = [](bool flag, const auto& use) { flag ? use(std::true_type{}) : use(std::false_type{}); };
+  with_flag(in.settings.box.periodic, [&](auto periodic) {
+    push_edges<periodic>(in, grains, mine);
+    team.wait();
+    with_flag(in.settings.synchronised, [&](auto synchronised) {
+      with_flag(in.laws.single(),
+                [&](auto one_material) { sweep_rows<periodic, synchronised, one_material>(in, grains, shares, mine); });
+    });
+  });
   team.wait();
 }
 

@@ -1,0 +1,68 @@
+# SPDX-FileCopyrightText: 2026 The Repose developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Force network: a line between the centres of each contact, as wide as its normal force is large."""
+
+import numpy as np
+from matplotlib.lines import Line2D
+
+from repose import style
+from repose.field import legend_above, make_field
+from repose.marks import add_discs, add_lines, add_planes, centre_lines
+from repose.not_drawn import NotDrawn
+
+WIDEST_PERCENTILE = 99.5  # forces above it share the largest width
+WIDEST = 0.5  # grain diameters
+LEVELS = 32  # widths drawn; thinner than half a level is left out
+
+
+def draw(run, state):
+    """Figure of one state; forces in grain weights, or as they are where nothing has weight."""
+    weight = run.attributes["grain_weight"]
+    force = np.nan_to_num(state.contacts.normal_force / (weight if weight > 0.0 else 1.0))
+    size = np.abs(force)
+    if not (size > 0.0).any():
+        raise NotDrawn("no contact carries a force")
+    largest = np.percentile(size[size > 0.0], WIDEST_PERCENTILE)
+    lines, contact = centre_lines(run, state)
+    field = make_field(run, state, with_legend=True)
+    held = state.grains.held
+    add_planes(field, run)
+    add_discs(field, run, state, ~held, facecolor="#eff1f4", edgecolor="#d3d8df", linewidth=0.25)
+    add_discs(field, run, state, held, facecolor=style.FAINT, edgecolor="white", linewidth=0.25)
+
+    widest = WIDEST * run.attributes["grain_diameter"] * field.points_per_length
+    level = np.round(LEVELS * np.minimum(size / largest, 1.0)).astype(int)
+    keys = []
+    for chosen, colour, name in _kinds(force, state.contacts.sliding):
+        for k in range(1, LEVELS + 1):
+            drawn = (chosen & (level == k))[contact]
+            if drawn.any():
+                add_lines(field, lines[drawn], widest * k / LEVELS, colour)
+        if (chosen & (level > 0)).any() and name:
+            keys.append(_key(colour, 0.4 * widest, name))
+    scale = [_key(style.INK, widest * part / largest, f"{part:g}") for part in _round_steps(largest)]
+    scale.append(_key(style.INK, widest, f"≥ {largest:.3g}"))
+    title = "normal force in grain weights" if weight > 0.0 else "normal force"
+    legend_above(field, scale + keys, title)
+    return field.figure
+
+
+def _kinds(force, sliding):
+    """(which contacts, colour, name in the legend), in order of drawing."""
+    pulls = force < 0.0
+    return (
+        (~pulls & ~sliding, style.INK, None),
+        (~pulls & sliding, style.ORANGE, "sliding"),
+        (pulls, style.BLUE, "pulling"),
+    )
+
+
+def _key(colour, width, name):
+    return Line2D([], [], color=colour, linewidth=width, solid_capstyle="butt", label=name)
+
+
+def _round_steps(largest):
+    """Three values of the sequence 1, 2, 5, 10, ... below `largest`, ascending."""
+    power = np.floor(np.log10(largest))
+    sequence = [step * 10.0 ** (power + k) for k in (-1, 0) for step in (1, 2, 5)]
+    return [value for value in sequence if value <= 0.8 * largest][-3:]
