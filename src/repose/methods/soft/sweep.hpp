@@ -41,14 +41,14 @@ void push_edges(const SweepInput<D, Law>& in, const Grains<D>& grains, Share<D>&
 }
 
 /// Moves one grain by leapfrog under its total push. Source: Baxter et al. (1997), (9)-(12).
-template <int D, class Law>
+template <bool Synchronised, int D, class Law>
 REPOSE_FN void kick_and_drift(const SweepInput<D, Law>& in, Grains<D>& grains, std::size_t i, const Slot<D>& sum) {
   auto& grain = grains.line[i];
   const double dt = in.settings.time_step;
   const double per_mass = in.kick * grain.inverse_mass;
   const Vec<D> kick = (sum.force + in.settings.gravity * grain.mass) * per_mass;
   const Spin<D> rim_kick = sum.rim_torque * (per_mass * inverse_inertia_factor<D>);
-  if (in.settings.synchronised) {
+  if constexpr (Synchronised) {
     auto& half = grains.half_step[i];
     half.velocity += kick;
     half.rim_velocity += rim_kick;
@@ -62,7 +62,7 @@ REPOSE_FN void kick_and_drift(const SweepInput<D, Law>& in, Grains<D>& grains, s
   }
 }
 
-template <bool Periodic, bool OneMaterial, int D, class Law>
+template <bool Periodic, bool Synchronised, bool OneMaterial, int D, class Law>
 void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Share<D>>& shares, Share<D>& mine) {
   const Law law = in.laws.first();
   const Box<D> box = in.settings.box;
@@ -121,7 +121,7 @@ void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Sha
     if (grain.fixed()) [[unlikely]] {
       grains.reaction[i] += sum.force * dt;
     } else {
-      kick_and_drift(in, grains, i, sum);
+      kick_and_drift<Synchronised>(in, grains, i, sum);
       const double speed2 = dot(line[i].velocity, line[i].velocity);
       trouble |= !(speed2 < in.speed_limit2);  // also true for what is not a number
       fastest2 = std::max(fastest2, speed2);
@@ -139,8 +139,10 @@ void sweep(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Share<D>
   with_flag(in.settings.box.periodic, [&](auto periodic) {
     push_edges<periodic>(in, grains, mine);
     team.wait();
-    with_flag(in.laws.single(),
-              [&](auto one_material) { sweep_rows<periodic, one_material>(in, grains, shares, mine); });
+    with_flag(in.settings.synchronised, [&](auto synchronised) {
+      with_flag(in.laws.single(),
+                [&](auto one_material) { sweep_rows<periodic, synchronised, one_material>(in, grains, shares, mine); });
+    });
   });
   team.wait();
 }
