@@ -30,7 +30,9 @@ Bed read_bed(const std::string& path, int copies) {
       double diameter = 0.0;
       double density = 0.0;
       Grain<2> grain;
-      words >> type >> diameter >> density >> grain.position[0] >> grain.position[1];
+      if (!(words >> type >> diameter >> density >> grain.position[0] >> grain.position[1]) || diameter <= 0.0) {
+        throw std::runtime_error(path + ": not an atom of style sphere: " + line);
+      }
       grain.radius = 0.5 * diameter;
       grain.mass = diameter * diameter;
       grain.inverse_mass = type == 2 ? 0.0 : 1.0 / grain.mass;
@@ -41,10 +43,13 @@ Bed read_bed(const std::string& path, int copies) {
       double wy = 0.0;
       double wz = 0.0;
       auto& grain = read.at(std::stoll(first));
-      words >> grain.velocity[0] >> grain.velocity[1] >> z >> wx >> wy >> wz;
+      if (!(words >> grain.velocity[0] >> grain.velocity[1] >> z >> wx >> wy >> wz)) {
+        throw std::runtime_error(path + ": not a velocity of style sphere: " + line);
+      }
       grain.rim_velocity = wz * grain.radius;
     }
   }
+  if (read.empty() || !(high > low)) throw std::runtime_error(path + ": no atoms or no box");
   Bed bed;
   bed.box.periodic = true;
   bed.box.x_min = low;
