@@ -32,7 +32,10 @@ class Failed(Exception):
 
 def run(command, **how):
     """The finished command; its last words if it fails."""
-    done = subprocess.run(command, capture_output=True, text=True, **how)
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, **how)
+    except OSError as problem:
+        raise Failed(f"{command[0]}: {problem.strerror}") from problem
     if done.returncode != 0:
         raise Failed(f"{' '.join(command)}: exit status {done.returncode}\n{(done.stdout + done.stderr)[-2000:]}")
     return done.stdout
@@ -90,7 +93,7 @@ def compare_threads(program, rounds):
     """Two threads over one on the same 100 000 grains, in pairs of wall times."""
     ratios = []
     for _ in range(rounds):
-        cases = bench(program, "^bed_threads/")
+        cases = bench(program, "^bed_threads/copies:10/")
         one, two = (cases[f"bed_threads/copies:10/threads:{threads}"]["grain_steps"] for threads in (1, 2))
         ratios.append(two / one)
     print(f"\nTwo threads over one, 100 000 grains, {rounds} pairs   min   median      max")
@@ -158,9 +161,6 @@ def main():
     peer = shutil.which("lmp")
     no_peer = "lmp is not installed (./dev setup --peers installs it): no comparison with LAMMPS"
     rounds = 1 if options.quick else options.rounds
-    load = os.getloadavg()[0]
-    if load > 0.5:
-        print(f"The machine is busy (load {load:.1f}): trust the ratios of CPU times, not those of threads.\n")
 
     with tempfile.TemporaryDirectory() as folder:
         if options.check_physics:
@@ -168,7 +168,10 @@ def main():
                 print(no_peer)
                 return 0
             return 0 if compare_physics(physics, peer, bed, folder) else 1
-        print_cases(bench(program, "copies:1/|heap" if options.quick else "."))
+        load = os.getloadavg()[0]
+        if load > 0.5:
+            print(f"Other work was or is going on here (load {load:.1f}): the ratio of threads suffers from it.\n")
+        print_cases(bench(program, "bed_hooke|heap|build/copies:1/" if options.quick else "."))
         if not options.quick:
             compare_threads(program, rounds)
         if peer is None:

@@ -61,6 +61,8 @@ BENCHMARK(bed_hooke_cumulative)->ArgNames({"copies", "threads"})->Args({1, 1})->
 BENCHMARK(bed_hooke_linear)
     ->Name("bed_threads")
     ->ArgNames({"copies", "threads"})
+    ->Args({1, 1})
+    ->Args({1, 2})
     ->Args({10, 1})
     ->Args({10, 2})
     ->MinTime(2.0)
