@@ -20,6 +20,7 @@ namespace {
 
 struct Heap {
   double angle = 0.0;
+  double moments = 0.0;
   double dip = 0.0;
   double coordination = 0.0;
   double overlap = 0.0;
@@ -38,8 +39,12 @@ Heap pour(double spacing, std::int64_t seed) {
   simulation.run({}, interrupt);
   const auto contacts = simulation.contacts();
   const auto reading = read(simulation, contacts);
-  return {0.5 * (reading.heap.left.value().angle_deg + reading.heap.right.value().angle_deg), reading.dip.value().index,
-          reading.network.coordination.value(), max_overlap(contacts), reading.weight_error.value()};
+  return {.angle = 0.5 * (reading.heap.left.value().angle_deg + reading.heap.right.value().angle_deg),
+          .moments = reading.heap.moments_angle_deg.value(),
+          .dip = reading.dip.value().index,
+          .coordination = reading.network.coordination.value(),
+          .overlap = max_overlap(contacts),
+          .weight_error = reading.weight_error.value()};
 }
 
 std::vector<Heap> heaps(double spacing) {
@@ -78,23 +83,31 @@ void expect_mean(const std::vector<Heap>& all, double Heap::*number, double expe
 }
 
 void expect_weight_carried(const std::vector<Heap>& all) {
-  for (const auto& heap : all) EXPECT_LT(std::fabs(heap.weight_error), 1e-3);
+  double worst = 0.0;
+  for (const auto& heap : all) worst = std::max(worst, std::fabs(heap.weight_error));
+  fmt::print("base force against weight: off by {:.1e} at most\n", worst);
+  EXPECT_LT(worst, 1e-3);
 }
 
-// Tolerances: three standard errors of the other implementations' runs and of ours together, for a standard deviation
-// between seeds of 3.4 deg; 0.1 for the coordination (0.027 each) and 0.01 for the deepest overlap (0.002 each).
+// The moments estimator has no value of the others to agree with; it must lie near the angle of the flanks, which it
+// weighs differently: within 5 deg. Tolerances: three standard errors of the other implementations' runs and of ours
+// together, for a standard deviation between seeds of 3.4 deg; 0.1 for the coordination (0.027 each) and 0.01 for the
+// deepest overlap (0.002 each).
 TEST(HeapSlow, SpacingOfElevenTenths) {
   const auto all = heaps(1.1);
   expect_mean(all, &Heap::angle, 27.2, 3.5, "angle of repose, S = 1.1 [deg]");
+  expect_mean(all, &Heap::moments, mean_of(all, &Heap::angle).value, 5.0, "angle from moments, S = 1.1 [deg]");
   expect_mean(all, &Heap::coordination, 4.55, 0.1, "coordination, S = 1.1");
   expect_mean(all, &Heap::overlap, 0.085, 0.01, "deepest overlap, S = 1.1");
-  expect_mean(all, &Heap::dip, 1.0, 0.25, "dip index, S = 1.1");  // not resolved: 0.2 between seeds
+  expect_mean(all, &Heap::dip, 1.0, 0.25,
+              "dip index, S = 1.1");  // not resolved: three standard errors of 0.07 and 0.04
   expect_weight_carried(all);
 }
 
 TEST(HeapSlow, ContiguousBase) {
   const auto all = heaps(1.0);
   expect_mean(all, &Heap::angle, 35.1, 3.5, "angle of repose, S = 1.0 [deg]");
+  expect_mean(all, &Heap::moments, mean_of(all, &Heap::angle).value, 5.0, "angle from moments, S = 1.0 [deg]");
   expect_mean(all, &Heap::dip, 1.18, 0.11, "dip index, S = 1.0");  // three standard errors of 0.03 and 0.02
   expect_weight_carried(all);
 }

@@ -73,7 +73,9 @@ std::vector<bool> supported(const Grains<D>& grains, const Contacts<D>& contacts
     if (contact.second >= 0) touching[place.at(contact.second)] = true;
   }
   for (std::size_t k = 0; k < grains.size(); ++k) {
-    if (grains.line[k].fixed()) touching[k] = false;
+    const auto& grain = grains.line[k];
+    // The last state of a run that failed may hold grains whose place is not a number.
+    if (grain.fixed() || !std::isfinite(magnitude(grain.position))) touching[k] = false;
   }
   return touching;
 }

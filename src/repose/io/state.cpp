@@ -43,7 +43,8 @@ void write_grains(Hdf5File& file, const Grains<D>& grains) {
   file.group("grains");
   file.dataset("grains/id", id, 1, "", "stable id");
   file.dataset("grains/position", position, D, "L", "centre");
-  file.dataset("grains/velocity", velocity, D, "L/T", "half a step before the stated time");
+  file.dataset("grains/velocity", velocity, D, "L/T",
+               "half a step before the stated time; at it where velocities are synchronised");
   file.dataset("grains/spin", spin, tangent_columns<D>, "1/T", "angular velocity, counter-clockwise");
   file.dataset("grains/radius", radius, 1, "L", "radius");
   file.dataset("grains/mass", mass, 1, "M", "nominal mass, of fixed grains too");

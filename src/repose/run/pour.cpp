@@ -31,8 +31,8 @@ bool Pour::release(Grains<2>& grains, long step) {
   const double p = scene_.grains.polydispersity;
   const double diameter = scene_.grains.diameter * (1.0 - p * uniform(seed, Purpose::grain_size, index));
   auto grain = make_grain(scene_, diameter);
-  // From rest now; the velocity belongs to half a step ago.
-  grain.velocity[1] = 0.5 * scene_.gravity * time_step_;
+  // From rest now; the velocity belongs to half a step ago, except at the start of time, where the first kick is half.
+  if (step > 0) grain.velocity[1] = 0.5 * scene_.gravity * time_step_;
   grain.position[1] = scene_.source.height;
 
   const double reach = std::visit([](const auto& law) { return repose::reach(law); }, scene_.contact.normal);

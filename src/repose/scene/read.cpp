@@ -84,6 +84,11 @@ void check_together(const Scene& scene, Reader& reader) {
   if (!scene.stop.time && !scene.stop.at_rest && reader.sound("stop.time") && reader.sound("stop.at_rest")) {
     reader.problem("stop", ": missing: give time, at_rest or both; the run ends at whichever comes first");
   }
+  if (scene.stop.at_rest && scene.gravity == 0.0 && reader.sound("stop.at_rest") && reader.sound("gravity")) {
+    reader.problem(
+        "stop.at_rest",
+        fmt::format(" = {}: is measured in grain weights and needs gravity > 0; use stop.time", *scene.stop.at_rest));
+  }
   const double d = scene.grains.diameter;
   constexpr double most_base_grains = 1e7;
   const double row = scene.box.x == "periodic" ? scene.box.half_width : scene.base.half_width;
