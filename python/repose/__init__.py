@@ -1,18 +1,42 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Repose in Python: read a run folder as numpy arrays and draw it. The physics is the program's.
+"""Repose in Python: read run and sweep folders as numpy arrays and draw them. The physics is the program's.
 
     import repose
     run = repose.open("out/heap")
-    run.state.grains.position   # (N, D) [L]
-    run.series["time"]          # (rows) [T]
+    run.state.grains.position            # (N, D) [L]
+    run.series["time"]                   # (rows) [T]
+    run.analysis["voronoi"]["area"]      # (G) [L^2]
+    sweep = repose.open("out/spacing")
+    sweep.measures["coordination"]["mean"]  # (points)
 """
 
-from repose.run_folder import Contacts, Grains, RunFolder, RunFolderError, State, Table
+from pathlib import Path
 
-__all__ = ["Contacts", "Grains", "RunFolder", "RunFolderError", "State", "Table", "open"]
+from repose.analysis import Analysis
+from repose.hdf5 import RunFolderError, Table
+from repose.run_folder import Contacts, Grains, RunFolder, State
+from repose.sweep_folder import Profile, SweepFolder
+
+__all__ = [
+    "Analysis",
+    "Contacts",
+    "Grains",
+    "Profile",
+    "RunFolder",
+    "RunFolderError",
+    "State",
+    "SweepFolder",
+    "Table",
+    "open",
+]
 
 
 def open(path):
-    """The run folder at `path` as a RunFolder; RunFolderError, one line, if there is none to read."""
-    return RunFolder(path)
+    """The folder at `path` as a RunFolder or a SweepFolder; RunFolderError, one line, if there is none to read."""
+    folder = Path(path)
+    if (folder / "sweep.h5").is_file():
+        return SweepFolder(folder)
+    if folder.is_dir() and not (folder / "run.h5").is_file():
+        raise RunFolderError(f"{path}: no run.h5 or sweep.h5 in this folder")
+    return RunFolder(folder)

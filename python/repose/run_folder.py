@@ -3,20 +3,16 @@
 """Reads a run folder; the format is described in docs/reference/run-folder.md."""
 
 import json
-from contextlib import contextmanager
 from dataclasses import dataclass, fields
 from pathlib import Path
 
-import h5py
 import numpy as np
 
-FORMAT = "repose-run"
-FORMAT_VERSION = 1
+from repose.analysis import Analysis
+from repose.hdf5 import RunFolderError, Table, attributes_of, check_format, one_line, opened
+
+FORMAT_VERSION = 2
 NEEDED = set("title units dimension time status grain_diameter grain_weight periodic x_min x_max".split())
-
-
-class RunFolderError(ValueError):
-    """A folder that holds no readable run; the message is one line."""
 
 
 @dataclass(frozen=True)
@@ -77,14 +73,6 @@ class State:
         return rows
 
 
-class Table(dict):
-    """Columns by name, with the attributes of their group."""
-
-    def __init__(self, group):
-        super().__init__({name: dataset[()] for name, dataset in group.items()})
-        self.attributes = _attributes(group)
-
-
 class RunFolder:
     """What a run wrote, read once: later changes of the folder do not show."""
 
@@ -93,8 +81,8 @@ class RunFolder:
     state: State  # last state
     series: Table  # columns of /series, one row per observation; empty without
     base: "Table | None"  # forces on the base in grain weights; None without a row of base grains
-    surface: "Table | None"  # profile of the heap and lines of its flanks
     planes: "Table | None"  # point (P, D) [L] and outward normal (P, D)
+    analysis: "Analysis | None"  # Tables of analysis.h5; None without an analysis of the last state
     frames: "list[str]"  # names of the saved frames
     summary: dict  # summary.json; empty without
 
@@ -102,16 +90,20 @@ class RunFolder:
         self.path = Path(path)
         if not self.path.is_dir():
             raise RunFolderError(f"{path}: no such folder")
-        with _open(self.path / "run.h5") as file, _parts_of(self.path / "run.h5"):
-            self.attributes = _attributes(file)
-            _check_format(self.path / "run.h5", self.attributes)
+        with opened(self.path / "run.h5") as file:
+            self.attributes = attributes_of(file)
+            check_format(self.path / "run.h5", self.attributes, "run", FORMAT_VERSION, NEEDED)
             self.state = _read_state(file)
             self.series = Table(file["series"]) if "series" in file else {}
-            self.base, self.surface, self.planes = (
-                Table(file[name]) if name in file else None for name in ("base", "surface", "planes")
-            )
+            self.base, self.planes = (Table(file[name]) if name in file else None for name in ("base", "planes"))
             self.frames = sorted(file["frames"]) if "frames" in file else []
+        self.analysis = _read_analysis(self.path / "analysis.h5", self.state)
         self.summary = _read_summary(self.path / "summary.json")
+
+    @property
+    def surface(self):
+        """Profile of the heap and lines of its flanks, a Table; None without."""
+        return self.analysis and self.analysis["surface"]
 
     def frame(self, name):
         """State of a saved frame: "000003" or 3."""
@@ -119,19 +111,8 @@ class RunFolder:
         if name not in self.frames:
             saved = f"{self.frames[0]} to {self.frames[-1]}" if self.frames else "none"
             raise RunFolderError(f"{self.path}: no frame {name} (saved: {saved})")
-        path = self.path / "frames" / f"{name}.h5"
-        with _open(path) as file, _parts_of(path):
+        with opened(self.path / "frames" / f"{name}.h5") as file:
             return _read_state(file, name)
-
-
-def _attributes(group):
-    """Attributes of a group as Python values and arrays; text as str."""
-    values = {}
-    for name, value in group.attrs.items():
-        if isinstance(value, bytes):
-            value = value.decode("utf-8")
-        values[name] = value.item() if isinstance(value, np.generic) else value
-    return values
 
 
 def _read_arrays(kind, group):
@@ -143,7 +124,7 @@ def _read_arrays(kind, group):
 
 
 def _read_state(file, frame=None):
-    attributes = _attributes(file)
+    attributes = attributes_of(file)
     return State(
         attributes["time"],
         attributes["steps"],
@@ -153,37 +134,14 @@ def _read_state(file, frame=None):
     )
 
 
-def _check_format(path, attributes):
-    if attributes.get("format") != FORMAT:
-        raise RunFolderError(f"{path}: not a run of Repose (no format = {FORMAT!r})")
-    if attributes.get("format_version") != FORMAT_VERSION:
-        version = attributes.get("format_version")
-        raise RunFolderError(f"{path}: format_version {version}; this reads {FORMAT_VERSION}")
-    missing = sorted(NEEDED - attributes.keys())
-    if missing:
-        raise RunFolderError(f"{path}: not as the format says: no attribute {', '.join(missing)}")
-
-
-def _open(path):
+def _read_analysis(path, state):
+    """None where there is no file, or one of an earlier state: a run that goes on writes run.h5 first."""
     if not path.is_file():
-        raise RunFolderError(f"{path.parent}: no {path.name} in this folder")
-    try:
-        return h5py.File(path, "r")
-    except OSError as error:
-        raise RunFolderError(f"{path}: cannot be read: {_one_line(error)}") from error
-
-
-@contextmanager
-def _parts_of(path):
-    """Turns what h5py says of a missing or damaged part into a RunFolderError."""
-    try:
-        yield
-    except (AttributeError, KeyError, OSError, TypeError) as error:
-        raise RunFolderError(f"{path}: not as the format says: {_one_line(error)}") from error
-
-
-def _one_line(error):
-    return " ".join(str(error).strip("'\"").split())
+        return None
+    analysis = Analysis(path)
+    chains = analysis["chains"]
+    same_contacts = chains is None or len(chains["chain"]) == len(state.contacts)
+    return analysis if analysis.attributes["time"] == state.time and same_contacts else None
 
 
 def _read_summary(path):
@@ -192,4 +150,4 @@ def _read_summary(path):
     try:
         return json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
-        raise RunFolderError(f"{path}: cannot be read: {_one_line(error)}") from error
+        raise RunFolderError(f"{path}: cannot be read: {one_line(error)}") from error

@@ -141,7 +141,7 @@ TEST(ForceNetwork, HandMade) {
   EXPECT_NEAR(network.connectivity[2], 0.5, 1e-12);
   EXPECT_NEAR(network.connectivity[3], 0.25, 1e-12);
   EXPECT_NEAR(*network.anisotropy, 2.0 * (3.0 - 2.0) / 5.0, 1e-12);  // <nn> = diag(2/5, 3/5)
-  EXPECT_NEAR(std::fabs(*network.direction_deg), 90.0, 1e-9);
+  EXPECT_NEAR(*network.direction_deg, 90.0, 1e-9);
 }
 
 TEST(ForceResidual, RestAndFreeFall) {

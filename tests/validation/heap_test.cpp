@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/run/reading.hpp"
+#include "repose/run/simulation.hpp"
 #include "repose/scene/read.hpp"
 
 #include <fmt/format.h>
@@ -37,13 +38,12 @@ Heap pour(double spacing, std::int64_t seed) {
   Simulation simulation(read_scene_text(text, "heap"), 1);
   const std::atomic<bool> interrupt{false};
   simulation.run({}, interrupt);
-  const auto contacts = simulation.contacts();
-  const auto reading = read(simulation, contacts);
+  const auto reading = read(simulation.record());
   return {.angle = 0.5 * (reading.heap.left.value().angle_deg + reading.heap.right.value().angle_deg),
           .moments = reading.heap.moments_angle_deg.value(),
           .dip = reading.dip.value().index,
           .coordination = reading.network.coordination.value(),
-          .overlap = max_overlap(contacts),
+          .overlap = reading.max_overlap,
           .weight_error = reading.weight_error.value()};
 }
 

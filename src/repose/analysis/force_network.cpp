@@ -55,7 +55,8 @@ ForceNetwork read_force_network(const Grains<2>& grains, const Contacts<2>& cont
   if (network.contacts > 0) {
     const auto count = static_cast<double>(network.contacts);
     network.anisotropy = 2.0 * std::hypot(xx - yy, 2.0 * xy) / count;
-    network.direction_deg = 0.5 * std::atan2(2.0 * xy, xx - yy) * 180.0 / std::numbers::pi;
+    const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy) * 180.0 / std::numbers::pi;
+    network.direction_deg = angle > -90.0 ? angle : 90.0;  // rounding may put an upright axis at -90
   }
   return network;
 }

@@ -63,6 +63,23 @@ std::optional<double> moments_angle(const Grains<D>& grains, const std::vector<b
 
 }  // namespace
 
+double depth_below_surface(const HeapShape& heap, double x, double height) {
+  const auto& surface = heap.surface;
+  const auto right = std::lower_bound(surface.begin(), surface.end(), x,
+                                      [](const SurfaceBin& bin, double place) { return bin.x < place; });
+  double top = 0.0;
+  if (right == surface.begin()) {
+    top = surface.front().height;
+  } else if (right == surface.end()) {
+    top = surface.back().height;
+  } else {
+    const auto left = std::prev(right);
+    top = left->height + (right->height - left->height) * (x - left->x) / (right->x - left->x);
+  }
+  const auto& flank = x < heap.apex_x ? heap.left : heap.right;
+  return (top - height) * (flank ? std::cos(flank->angle_deg / degrees) : 1.0);
+}
+
 template <int D>
 std::vector<bool> supported(const Grains<D>& grains, const Contacts<D>& contacts) {
   std::unordered_map<std::int64_t, std::size_t> place;

@@ -34,6 +34,11 @@ struct HeapShape {
   std::optional<double> moments_angle_deg;  ///< atan(<y>/<|x - <x>|>), exact for a triangle of uniform density
 };
 
+/// How far [L] a point at `height` above the base lies below the surface, at right angles to the flank on its side of
+/// the apex; negative above. The surface is a straight line between the centres of its bins, level beyond the
+/// outermost.
+double depth_below_surface(const HeapShape& heap, double x, double height);
+
 /// Which moving grains are part of the heap: those that touch something (one flag per grain, in memory order).
 template <int D>
 std::vector<bool> supported(const Grains<D>& grains, const Contacts<D>& contacts);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/cli/describe.hpp"
 
+#include "repose/run/expectation.hpp"
 #include "repose/run/reading.hpp"
 #include "repose/run/setup.hpp"
 
@@ -44,27 +45,6 @@ std::string or_none(const std::optional<double>& value, const char* format) {
 
 }  // namespace
 
-double expected_end(const Scene& scene) {
-  if (scene.stop.time && !scene.stop.at_rest) return *scene.stop.time;
-  double end = 100.0 * std::sqrt(scene.grains.diameter / std::max(scene.gravity, 1e-30));
-  if (scene.source.kind == "pour") {
-    end = static_cast<double>(scene.source.count) / scene.source.rate +
-          std::sqrt(2.0 * scene.source.height / scene.gravity) +
-          50.0 * std::sqrt(scene.grains.diameter / scene.gravity);
-  }
-  return scene.stop.time ? std::min(end, *scene.stop.time) : end;
-}
-
-double expected_work(const Scene& scene, double time) {
-  double work = static_cast<double>(scene.placed.size()) * time;
-  if (scene.source.kind == "pour") {
-    const double pouring = static_cast<double>(scene.source.count) / scene.source.rate;
-    const double during = std::min(time, pouring);
-    work += 0.5 * scene.source.rate * during * during + static_cast<double>(scene.source.count) * (time - during);
-  }
-  return work / scene.time_step();
-}
-
 std::string describe(const Scene& scene) {
   const auto initial = initial_grains(scene);
   const auto fixed = initial.size() - moving_count(initial);
@@ -89,15 +69,12 @@ std::string describe(const Scene& scene) {
   return text;
 }
 
-std::string describe_result(const Simulation& simulation) {
-  const auto contacts = simulation.contacts();
-  const auto reading = read(simulation, contacts);
-  const double seconds = simulation.wall_seconds();
+std::string describe_result(const Record& record, const Reading& reading) {
+  const auto& facts = record.facts;
   std::string text = fmt::format(
-      "stopped          {} (time {:.6g}, {} steps, {:.1f} s, {:.3g} grain-steps per second)\n", simulation.message(),
-      simulation.time(), simulation.steps(), seconds, simulation.grain_steps() / seconds);
-  text += fmt::format("grains           {} present, {} lost\n", moving_count(simulation.grains()),
-                      simulation.grains_lost());
+      "stopped          {} (time {:.6g}, {} steps, {:.1f} s, {:.3g} grain-steps per second)\n", facts.message,
+      facts.time, facts.steps, facts.wall_seconds, facts.grain_steps / std::max(facts.wall_seconds, 1e-9));
+  text += fmt::format("grains           {} present, {} lost\n", moving_count(record.grains), facts.lost);
   const auto& heap = reading.heap;
   const auto flank = [](const std::optional<FlankLine>& line) {
     return line ? fmt::format("{:.1f}", line->angle_deg) : std::string("-");
@@ -105,9 +82,17 @@ std::string describe_result(const Simulation& simulation) {
   text += fmt::format("angle of repose  left {} right {} moments {} deg\n", flank(heap.left), flank(heap.right),
                       heap.moments_angle_deg ? fmt::format("{:.1f}", *heap.moments_angle_deg) : "-");
   text += fmt::format("coordination     {} (contacts above {:g} grain weights)\n",
-                      or_none(reading.network.coordination, "{:.3f}"), simulation.scene().analysis.force_threshold);
-  text += fmt::format("deepest overlap  {:.4f} diameters\n", max_overlap(contacts));
+                      or_none(reading.network.coordination, "{:.3f}"), record.scene.analysis.force_threshold);
+  if (reading.core.grains > 0) {
+    text += fmt::format("core             {} grains, solid fraction {:.4f}, coordination {:.3f}\n", reading.core.grains,
+                        *reading.core.solid_fraction, *reading.core.coordination);
+  }
+  text += fmt::format("deepest overlap  {:.4f} diameters\n", reading.max_overlap);
   if (reading.dip) text += fmt::format("dip index        {:.3f}\n", reading.dip->index);
+  if (!reading.motion.rows.empty()) {
+    text += fmt::format("avalanches       {} of at least {} grains in {} intervals\n", reading.motion.avalanches.size(),
+                        record.scene.analysis.avalanche, reading.motion.rows.size());
+  }
   text += fmt::format("weight error     {}\n", or_none(reading.weight_error, "{:.2e}"));
   return text;
 }

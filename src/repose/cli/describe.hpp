@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/run/simulation.hpp"
+#include "repose/run/reading.hpp"
+#include "repose/run/record.hpp"
 #include "repose/scene/scene.hpp"
 
 #include <string>
@@ -13,12 +14,6 @@ namespace repose {
 std::string describe(const Scene& scene);
 
 /// What came out, in a few lines.
-std::string describe_result(const Simulation& simulation);
-
-/// Time [T] by which the run should be over: stop.time, or else the end of the pouring and some time to settle.
-double expected_end(const Scene& scene);
-
-/// Moving grain-steps up to a time, for grains that are poured at a constant rate.
-double expected_work(const Scene& scene, double time);
+std::string describe_result(const Record& record, const Reading& reading);
 
 }  // namespace repose

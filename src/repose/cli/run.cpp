@@ -4,17 +4,15 @@
 #include "repose/cli/describe.hpp"
 #include "repose/cli/progress.hpp"
 #include "repose/cli/scene_options.hpp"
+#include "repose/cli/signals.hpp"
 #include "repose/core/errors.hpp"
 #include "repose/run/run_folder.hpp"
 #include "repose/run/simulation.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <signal.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <thread>
@@ -22,19 +20,6 @@
 namespace repose {
 
 namespace {
-
-std::atomic<bool> interrupted{false};
-
-void on_signal(int) { interrupted = true; }
-
-/// The first Ctrl-C ends the run in good order; a second one kills it.
-void catch_signals() {
-  struct sigaction action {};
-  action.sa_handler = on_signal;
-  action.sa_flags = SA_RESETHAND;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-}
 
 struct RunOptions {
   SceneOptions scene;
@@ -79,7 +64,10 @@ int act(const RunOptions& options) {
   progress.finish();
   folder.write(simulation, false);
   if (simulation.status() == Status::failed) throw RunError(simulation.message());
-  if (!options.quiet) fmt::print("{}", describe_result(simulation));
+  if (!options.quiet) {
+    const auto record = simulation.record();
+    fmt::print("{}", describe_result(record, read(record)));
+  }
   return simulation.status() == Status::interrupted ? exit_interrupted : 0;
 }
 

@@ -25,10 +25,7 @@ template <int D>
 double kinetic_energy(const Grains<D>& grains) {
   double sum = 0.0;
   for (const auto k : by_id(grains)) {
-    const auto& grain = grains.line[k];
-    if (grain.fixed()) continue;
-    sum += 0.5 * grain.mass *
-           (dot(grain.velocity, grain.velocity) + squared(grain.rim_velocity) / inverse_inertia_factor<D>);
+    if (!grains.line[k].fixed()) sum += kinetic_energy(grains.line[k]);
   }
   return sum;
 }

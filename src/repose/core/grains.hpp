@@ -87,6 +87,13 @@ std::vector<std::uint32_t> by_id(const Grains<D>& grains);
 template <int D>
 std::size_t moving_count(const Grains<D>& grains);
 
+/// Kinetic energy of translation and rotation [M L^2/T^2] of one grain, by its nominal mass.
+template <int D>
+double kinetic_energy(const Grain<D>& grain) {
+  return 0.5 * grain.mass *
+         (dot(grain.velocity, grain.velocity) + squared(grain.rim_velocity) / inverse_inertia_factor<D>);
+}
+
 /// Kinetic energy of translation and rotation [M L^2/T^2] of all grains that can move, summed in order of id.
 template <int D>
 double kinetic_energy(const Grains<D>& grains);

@@ -3,12 +3,13 @@
 #include "repose/io/hdf5_file.hpp"
 
 #include "repose/core/errors.hpp"
+#include "repose/io/hdf5_handle.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <hdf5.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -19,61 +20,14 @@ namespace repose {
 
 namespace {
 
-static_assert(sizeof(hid_t) == sizeof(std::int64_t));
+/// Values from which on a dataset is stored in compressed chunks of about that many rows.
+constexpr std::size_t worth_compressing = 16384;
 
-/// An HDF5 handle that closes itself; negative: the call that made it failed.
-class Handle {
- public:
-  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-  ~Handle() {
-    if (id_ >= 0) close_(id_);
-  }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  hid_t id() const { return id_; }
-  bool failed() const { return id_ < 0; }
-
- private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
-
-/// The system's own words for what went wrong, from the library's stack of errors.
-std::string reason() {
-  std::string found;
-  H5Ewalk2(
-      H5E_DEFAULT, H5E_WALK_UPWARD,
-      [](unsigned, const H5E_error2_t* error, void* out) -> herr_t {
-        const std::string text = error->desc != nullptr ? error->desc : "";
-        const std::string key = "error message = '";
-        auto& reason = *static_cast<std::string*>(out);
-        if (const auto begin = text.find(key); begin != std::string::npos && reason.empty()) {
-          reason = text.substr(begin + key.size());
-          reason = reason.substr(0, reason.find('\''));
-        }
-        return 0;
-      },
-      &found);
-  return found.empty() ? "HDF5 library error" : found;
-}
-
-template <class T>
-hid_t native_type();
-template <>
-hid_t native_type<double>() {
-  return H5T_NATIVE_DOUBLE;
-}
-template <>
-hid_t native_type<std::int64_t>() {
-  return H5T_NATIVE_INT64;
-}
-template <>
-hid_t native_type<std::uint16_t>() {
-  return H5T_NATIVE_UINT16;
-}
-template <>
-hid_t native_type<std::uint8_t>() {
-  return H5T_NATIVE_UINT8;
+/// Properties of a new dataset, without the time of day: the same content gives the same file.
+hid_t same_bits_layout() {
+  const hid_t layout = H5Pcreate(H5P_DATASET_CREATE);
+  H5Pset_obj_track_times(layout, false);
+  return layout;
 }
 
 /// Creates and writes an attribute; false on failure.
@@ -112,13 +66,7 @@ void publish(const std::string& temporary, const std::string& path) {
 }  // namespace
 
 Hdf5File::Hdf5File(std::string path) : path_(std::move(path)), temporary_(path_ + ".tmp") {
-  // We report errors ourselves, and a file that could not be written must not be tried again at exit.
-  static const bool quiet = [] {
-    H5dont_atexit();
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-    return true;
-  }();
-  static_cast<void>(quiet);
+  set_up_hdf5();
   file_ = H5Fcreate(temporary_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   if (file_ < 0) fail();
 }
@@ -129,7 +77,7 @@ Hdf5File::~Hdf5File() {
   std::remove(temporary_.c_str());
 }
 
-void Hdf5File::fail() const { throw RunError(fmt::format("{}: cannot write: {}", path_, reason())); }
+void Hdf5File::fail() const { throw RunError(fmt::format("{}: cannot write: {}", path_, hdf5_reason())); }
 
 void Hdf5File::group(const std::string& name) {
   const Handle group(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
@@ -167,8 +115,15 @@ void Hdf5File::dataset(const std::string& name, const std::vector<T>& values, st
   const int rank = columns == 1 ? 1 : 2;
   {
     const Handle space(H5Screate_simple(rank, shape, nullptr), H5Sclose);
+    const Handle layout(same_bits_layout(), H5Pclose);
+    if (values.size() >= worth_compressing) {
+      const hsize_t chunk[2] = {std::min<hsize_t>(shape[0], worth_compressing), columns};
+      H5Pset_chunk(layout.id(), rank, chunk);
+      H5Pset_shuffle(layout.id());
+      H5Pset_deflate(layout.id(), 4);
+    }
     const Handle dataset(
-        H5Dcreate2(file_, name.c_str(), native_type<T>(), space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+        H5Dcreate2(file_, name.c_str(), native_type<T>(), space.id(), H5P_DEFAULT, layout.id(), H5P_DEFAULT), H5Dclose);
     if (dataset.failed()) fail();
     if (!values.empty() && H5Dwrite(dataset.id(), native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
       fail();
@@ -180,12 +135,37 @@ void Hdf5File::dataset(const std::string& name, const std::vector<T>& values, st
 
 template void Hdf5File::dataset(const std::string&, const std::vector<double>&, std::size_t, std::string_view,
                                 std::string_view);
+template void Hdf5File::dataset(const std::string&, const std::vector<float>&, std::size_t, std::string_view,
+                                std::string_view);
 template void Hdf5File::dataset(const std::string&, const std::vector<std::int64_t>&, std::size_t, std::string_view,
                                 std::string_view);
 template void Hdf5File::dataset(const std::string&, const std::vector<std::uint16_t>&, std::size_t, std::string_view,
                                 std::string_view);
 template void Hdf5File::dataset(const std::string&, const std::vector<std::uint8_t>&, std::size_t, std::string_view,
                                 std::string_view);
+
+void Hdf5File::texts(const std::string& name, const std::vector<std::string>& values, std::string_view meaning) {
+  std::size_t longest = 1;
+  for (const auto& value : values) longest = std::max(longest, value.size());
+  std::vector<char> characters(values.size() * longest, '\0');
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    std::copy(values[k].begin(), values[k].end(), characters.begin() + static_cast<std::ptrdiff_t>(k * longest));
+  }
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.id(), longest);
+  H5Tset_strpad(type.id(), H5T_STR_NULLPAD);
+  H5Tset_cset(type.id(), H5T_CSET_UTF8);
+  const hsize_t size = values.size();
+  {
+    const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
+    const Handle layout(same_bits_layout(), H5Pclose);
+    const Handle dataset(H5Dcreate2(file_, name.c_str(), type.id(), space.id(), H5P_DEFAULT, layout.id(), H5P_DEFAULT),
+                         H5Dclose);
+    if (dataset.failed()) fail();
+    if (size > 0 && H5Dwrite(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, characters.data()) < 0) fail();
+  }
+  attribute(name, "meaning", std::string(meaning));
+}
 
 void Hdf5File::external_link(const std::string& name, const std::string& file, const std::string& object) {
   if (H5Lcreate_external(file.c_str(), object.c_str(), file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0) fail();
@@ -194,7 +174,7 @@ void Hdf5File::external_link(const std::string& name, const std::string& file, c
 void Hdf5File::commit() {
   if (H5Fflush(file_, H5F_SCOPE_LOCAL) < 0) fail();
   if (H5Fclose(std::exchange(file_, -1)) < 0) {
-    const std::string why = reason();
+    const std::string why = hdf5_reason();
     std::remove(temporary_.c_str());
     throw RunError(fmt::format("{}: cannot write: {}", path_, why));
   }

@@ -30,6 +30,9 @@ class Hdf5File {
   void dataset(const std::string& name, const std::vector<T>& values, std::size_t columns, std::string_view unit,
                std::string_view meaning);
 
+  /// A dataset of shape (n) of text.
+  void texts(const std::string& name, const std::vector<std::string>& values, std::string_view meaning);
+
   /// A link to an object of another file, by a path relative to this file.
   void external_link(const std::string& name, const std::string& file, const std::string& object);
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/io/state.hpp"
 
+#include "repose/core/errors.hpp"
+
 namespace repose {
 
 namespace {
@@ -58,6 +60,8 @@ void write_contacts(Hdf5File& file, const Contacts<D>& contacts) {
   std::vector<std::int64_t> partners;
   std::vector<double> normal;
   std::vector<double> overlap;
+  std::vector<double> relative_overlap;
+  std::vector<double> lever;
   std::vector<double> normal_force;
   std::vector<double> tangential_force;
   std::vector<double> history;
@@ -67,6 +71,8 @@ void write_contacts(Hdf5File& file, const Contacts<D>& contacts) {
     partners.push_back(contact.second);
     append(normal, contact.normal);
     overlap.push_back(contact.overlap);
+    relative_overlap.push_back(contact.relative_overlap);
+    lever.push_back(contact.first_lever);
     normal_force.push_back(contact.normal_force);
     append(tangential_force, contact.tangential_force);
     append(history, contact.history);
@@ -76,11 +82,79 @@ void write_contacts(Hdf5File& file, const Contacts<D>& contacts) {
   file.dataset("contacts/grains", partners, 2, "", "ids of the partners; second = -1 - k means plane k");
   file.dataset("contacts/normal", normal, D, "", "unit vector from the second to the first");
   file.dataset("contacts/overlap", overlap, 1, "L", "mean diameter less distance");
+  file.dataset("contacts/relative_overlap", relative_overlap, 1, "", "overlap over the mean diameter of the pair");
+  file.dataset("contacts/lever", lever, 1, "L", "from the centre of the first to the contact point");
   file.dataset("contacts/normal_force", normal_force, 1, "M L/T^2", "on the first, positive pushes apart");
   file.dataset("contacts/tangential_force", tangential_force, tangent_columns<D>, "M L/T^2",
                "on the first, along the normal turned by +90 degrees");
   file.dataset("contacts/history", history, tangent_columns<D>, "L", "accumulated tangential displacement");
   file.dataset("contacts/sliding", sliding, 1, "", "1: at the Coulomb limit");
+}
+
+namespace {
+
+template <int D>
+Vec<D> vector_at(const std::vector<double>& values, std::size_t k) {
+  Vec<D> x;
+  for (int m = 0; m < D; ++m) x[m] = values[k * D + static_cast<std::size_t>(m)];
+  return x;
+}
+
+}  // namespace
+
+template <>
+Grains<2> read_grains(const Hdf5Reader& file) {
+  const auto id = file.dataset<std::int64_t>("grains/id");
+  const auto position = file.dataset<double>("grains/position", 2);
+  const auto velocity = file.dataset<double>("grains/velocity", 2);
+  const auto spin = file.dataset<double>("grains/spin");
+  const auto radius = file.dataset<double>("grains/radius");
+  const auto mass = file.dataset<double>("grains/mass");
+  const auto fixed = file.dataset<std::uint8_t>("grains/fixed");
+  const auto base = file.dataset<std::uint8_t>("grains/base");
+  const auto material = file.dataset<std::uint16_t>("grains/material");
+  const auto n = id.size();
+  for (const auto size : {position.size() / 2, velocity.size() / 2, spin.size(), radius.size(), mass.size(),
+                          fixed.size(), base.size(), material.size()}) {
+    if (size != n) throw InputError(file.path() + ": grains: the datasets differ in length");
+  }
+  Grains<2> grains;
+  for (std::size_t k = 0; k < n; ++k) {
+    Grain<2> grain;
+    grain.position = vector_at<2>(position, k);
+    grain.velocity = vector_at<2>(velocity, k);
+    grain.radius = radius[k];
+    grain.rim_velocity = spin[k] * radius[k];
+    grain.mass = mass[k];
+    grain.inverse_mass = fixed[k] != 0 ? 0.0 : 1.0 / mass[k];
+    grains.add(grain, id[k], base[k] != 0, material[k]);
+  }
+  return grains;
+}
+
+template <>
+Contacts<2> read_contacts(const Hdf5Reader& file) {
+  const auto partners = file.dataset<std::int64_t>("contacts/grains", 2);
+  const auto normal = file.dataset<double>("contacts/normal", 2);
+  const auto overlap = file.dataset<double>("contacts/overlap");
+  const auto relative_overlap = file.dataset<double>("contacts/relative_overlap");
+  const auto lever = file.dataset<double>("contacts/lever");
+  const auto normal_force = file.dataset<double>("contacts/normal_force");
+  const auto tangential_force = file.dataset<double>("contacts/tangential_force");
+  const auto history = file.dataset<double>("contacts/history");
+  const auto sliding = file.dataset<std::uint8_t>("contacts/sliding");
+  const auto n = overlap.size();
+  for (const auto size : {partners.size() / 2, normal.size() / 2, relative_overlap.size(), lever.size(),
+                          normal_force.size(), tangential_force.size(), history.size(), sliding.size()}) {
+    if (size != n) throw InputError(file.path() + ": contacts: the datasets differ in length");
+  }
+  Contacts<2> contacts;
+  for (std::size_t k = 0; k < n; ++k) {
+    contacts.list.push_back({partners[2 * k], partners[2 * k + 1], vector_at<2>(normal, k), overlap[k],
+                             relative_overlap[k], normal_force[k], tangential_force[k], history[k], lever[k],
+                             sliding[k] != 0});
+  }
+  return contacts;
 }
 
 template void write_grains(Hdf5File&, const Grains<2>&);

@@ -5,6 +5,7 @@
 #include "repose/core/contacts.hpp"
 #include "repose/core/grains.hpp"
 #include "repose/io/hdf5_file.hpp"
+#include "repose/io/hdf5_reader.hpp"
 
 #include <string>
 
@@ -17,5 +18,18 @@ void write_grains(Hdf5File& file, const Grains<D>& grains);
 /// Writes the group `contacts`.
 template <int D>
 void write_contacts(Hdf5File& file, const Contacts<D>& contacts);
+
+/// The grains of a file, in order of id (D = 2). Throws InputError where the group is not as write_grains makes it.
+template <int D>
+Grains<D> read_grains(const Hdf5Reader& file);
+
+/// The contacts of a file, as write_contacts wrote them (D = 2).
+template <int D>
+Contacts<D> read_contacts(const Hdf5Reader& file);
+
+template <>
+Grains<2> read_grains(const Hdf5Reader& file);
+template <>
+Contacts<2> read_contacts(const Hdf5Reader& file);
 
 }  // namespace repose

@@ -10,6 +10,7 @@
 
 #include <string_view>
 #include <utility>
+#include <type_traits>
 #include <variant>
 
 namespace repose {
@@ -30,7 +31,7 @@ template <class Use>
 decltype(auto) with_pair_law(const NormalLaw& normal, const TangentialLaw& tangential, Use&& use) {
   return std::visit(
       [&](const auto& n, const auto& t) -> decltype(auto) {
-        return use(PairLaw{n, t});
+        return use(PairLaw<std::decay_t<decltype(n)>, std::decay_t<decltype(t)>>{n, t});
       },
       normal, tangential);
 }

@@ -3,24 +3,39 @@
 #pragma once
 
 #include "repose/analysis/base_profile.hpp"
+#include "repose/analysis/chains.hpp"
+#include "repose/analysis/core_region.hpp"
+#include "repose/analysis/fields.hpp"
 #include "repose/analysis/force_network.hpp"
+#include "repose/analysis/force_statistics.hpp"
 #include "repose/analysis/heap.hpp"
-#include "repose/run/simulation.hpp"
+#include "repose/analysis/motion.hpp"
+#include "repose/analysis/voronoi.hpp"
+#include "repose/run/record.hpp"
 
 #include <optional>
 
 namespace repose {
 
-/// Everything that the analysis says of the present state of a simulation.
+/// Everything that the analysis says of a run.
 struct Reading {
   HeapShape heap;
   ForceNetwork network;
-  BaseProfile base;
   std::optional<BaseDip> dip;
+  std::optional<double> base_scatter;
+  BinnedProfile base;
+  double max_overlap = 0.0;            ///< over the mean diameter of the pair
   double base_height = 0.0;            ///< [L]
   std::optional<double> weight_error;  ///< vertical force on the supports over the weight they carry, less 1
+  std::vector<VoronoiCell> cells;
+  CoreRegion core;
+  std::optional<ForceStatistics> forces;
+  Chains chains;
+  Fields fields;
+  std::optional<double> field_weight_error;  ///< integral of the density field over the mass of the heap, less 1
+  Motion motion;
 };
 
-Reading read(const Simulation& simulation, const Contacts<2>& contacts);
+Reading read(const Record& record);
 
 }  // namespace repose

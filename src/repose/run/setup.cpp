@@ -23,6 +23,27 @@ std::vector<double> row_places(const Scene& scene) {
   return places;
 }
 
+/// A triangular lattice pile whose lowest grains lie in the hollows of the base row, or side by side on a plane.
+void add_lattice(const Scene& scene, Grains<2>& grains, std::int64_t& id) {
+  const double d = scene.grains.diameter;
+  const double pitch = scene.base_pitch();
+  const double rise = std::sqrt(d * d - 0.25 * pitch * pitch);
+  const bool on_row = scene.base.kind == "row";
+  const double lowest = on_row ? rise : (scene.base.smooth ? d : 0.5 * d);
+  // The grains of a row of even length lie at odd multiples of half a pitch about its middle, and so do hollows.
+  const double shift = on_row && scene.source.rows % 2 == 1 ? 0.5 * pitch : 0.0;
+  const double middle = on_row ? std::round((scene.source.x - shift) / pitch) * pitch + shift : scene.source.x;
+  for (std::int64_t row = 0; row < scene.source.rows; ++row) {
+    const auto count = scene.source.rows - row;
+    for (std::int64_t k = 0; k < count; ++k) {
+      auto grain = make_grain(scene, d);
+      grain.position[0] = middle + (static_cast<double>(k) - 0.5 * static_cast<double>(count - 1)) * pitch;
+      grain.position[1] = lowest + static_cast<double>(row) * rise;
+      grains.add(grain, id++);
+    }
+  }
+}
+
 }  // namespace
 
 Grain<2> make_grain(const Scene& scene, double diameter) {
@@ -44,6 +65,7 @@ Grains<2> initial_grains(const Scene& scene) {
       grains.add(grain, id++, true);
     }
   }
+  if (scene.source.kind == "lattice") add_lattice(scene, grains, id);
   for (const auto& placed : scene.placed) {
     auto grain = make_grain(scene, placed.diameter);
     for (int k = 0; k < 2; ++k) {

@@ -14,7 +14,8 @@ namespace repose {
 /// A grain of this diameter at rest at the origin; mass goes with the square of the diameter.
 Grain<2> make_grain(const Scene& scene, double diameter);
 
-/// The grains that are there at the start: the base first, by ascending x, then the placed ones.
+/// The grains that are there at the start: the base first, by ascending x, then a lattice pile, row by row, then
+/// the placed ones.
 Grains<2> initial_grains(const Scene& scene);
 
 /// The planes of the scene, a base plane first.

@@ -3,6 +3,7 @@
 #include "repose/run/simulation.hpp"
 
 #include "repose/analysis/force_network.hpp"
+#include "repose/analysis/heap.hpp"
 #include "repose/run/setup.hpp"
 #include "repose/run/steps.hpp"
 
@@ -25,20 +26,6 @@ constexpr double longest_spell = 1e7;
 
 }  // namespace
 
-std::string status_text(Status status) {
-  switch (status) {
-    case Status::running:
-      return "running";
-    case Status::finished:
-      return "finished";
-    case Status::interrupted:
-      return "interrupted";
-    case Status::failed:
-      return "failed";
-  }
-  return "";
-}
-
 Simulation::Simulation(Scene scene, int threads)
     : scene_(std::move(scene)),
       team_(threads),
@@ -48,14 +35,17 @@ Simulation::Simulation(Scene scene, int threads)
       pour_(scene_, time_step_, static_cast<std::int64_t>(grains_.size())),
       placed_(static_cast<std::int64_t>(moving_count(grains_))),
       observe_every_(steps_in(scene_.output.series, time_step_)),
-      frame_every_(scene_.output.frames > 0.0
-                       ? steps_in(scene_.output.frames, static_cast<double>(observe_every_) * time_step_)
-                       : 0) {
+      frame_every_(observations_in(scene_.output.frames)),
+      track_every_(observations_in(scene_.output.track)) {
   for (std::size_t k = 0; k < grains_.size(); ++k) {
     if (grains_.line[k].fixed()) fixed_ids_.push_back(grains_.id[k]);
   }
   moving_ = moving_count(grains_);
   method_->grains_added(grains_);
+}
+
+long Simulation::observations_in(double time) const {
+  return time > 0.0 ? steps_in(time, static_cast<double>(observe_every_) * time_step_) : 0;
 }
 
 double Simulation::wall_seconds() const {
@@ -125,6 +115,7 @@ void Simulation::observe(const Hooks& hooks) {
   row.force_residual = force_residual(grains_, contacts, Vec<2>{{0.0, -scene_.gravity}});
   row.max_overlap = max_overlap(contacts);
   series_.push_back(row);
+  if (track_every_ > 0 && step_ / observe_every_ % track_every_ == 0) record_track(contacts);
 
   constexpr double longest_wait = 100.0;
   if (row.max_overlap > largest_overlap) {
@@ -166,11 +157,45 @@ void Simulation::record_reactions() {
   }
 }
 
-Grains<2> Simulation::wrapped_grains() const {
+void Simulation::record_track(const Contacts<2>& contacts) {
   const auto box = make_box(scene_);
-  Grains<2> grains = grains_;
-  for (auto& grain : grains.line) grain.position = box.wrapped(grain.position);
-  return grains;
+  const auto in_heap = supported(grains_, contacts);
+  TrackMoment moment{time(), {}};
+  moment.grains.reserve(moving_);
+  for (const auto k : by_id(grains_)) {
+    const auto& grain = grains_.line[k];
+    if (grain.fixed()) continue;
+    const auto place = box.wrapped(grain.position);
+    moment.grains.push_back({grains_.id[k], static_cast<float>(place[0]), static_cast<float>(place[1]),
+                             static_cast<float>(grain.radius), static_cast<float>(kinetic_energy(grain)), in_heap[k]});
+  }
+  track_.push_back(std::move(moment));
+}
+
+Record Simulation::record() const {
+  Record record;
+  record.scene = scene_;
+  record.contacts = contacts();
+  auto& facts = record.facts;
+  facts.status = status_;
+  facts.message = message_;
+  facts.time = time();
+  facts.time_step = time_step_;
+  facts.steps = step_;
+  facts.threads = threads();
+  facts.wall_seconds = wall_seconds();
+  facts.grain_steps = grain_steps_;
+  facts.released = pour_.released();
+  facts.lost = grains_lost();
+  facts.support_force = force_on_supports(record.contacts);
+  record.grains = grains_;
+  record.grains.reorder(by_id(grains_));
+  const auto box = make_box(scene_);
+  for (auto& grain : record.grains.line) grain.position = box.wrapped(grain.position);
+  record.series = series_;
+  record.base = base_profile();
+  record.track = track_;
+  return record;
 }
 
 BaseProfile Simulation::base_profile() const {

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/analysis/base_profile.hpp"
 #include "repose/core/contacts.hpp"
 #include "repose/core/grains.hpp"
 #include "repose/core/team.hpp"
 #include "repose/methods/method.hpp"
 #include "repose/run/pour.hpp"
+#include "repose/run/record.hpp"
 #include "repose/scene/scene.hpp"
 
 #include <array>
@@ -20,19 +20,6 @@
 #include <vector>
 
 namespace repose {
-
-/// One row of the time series.
-struct SeriesRow {
-  double time = 0.0;                      ///< [T]
-  std::int64_t grains = 0;                ///< moving grains present
-  std::int64_t contacts = 0;              ///< above the force threshold of the analysis
-  double kinetic_energy_per_grain = 0.0;  ///< [M L^2/T^2]
-  double force_residual = 0.0;            ///< see analysis/force_network.hpp
-  double max_overlap = 0.0;               ///< over the mean diameter of the pair
-};
-
-enum class Status { running, finished, interrupted, failed };
-std::string status_text(Status status);
 
 /// A scene at work: its method, source, stops and observers.
 class Simulation {
@@ -50,13 +37,11 @@ class Simulation {
 
   const Scene& scene() const { return scene_; }
   const Grains<2>& grains() const { return grains_; }
-  /// The grains with their positions brought into the periodic box.
-  Grains<2> wrapped_grains() const;
   Contacts<2> contacts() const { return method_->contacts(grains_); }
   const std::vector<SeriesRow>& series() const { return series_; }
-  BaseProfile base_profile() const;
-  /// Vertical force [M L/T^2] that the moving grains put on fixed grains (mean over the window) and planes (now).
-  double force_on_supports(const Contacts<2>& contacts) const;
+  const Track& track() const { return track_; }
+  /// All that there is to know of the run so far.
+  Record record() const;
 
   Status status() const { return status_; }
   const std::string& message() const { return message_; }  ///< why it stopped
@@ -66,8 +51,6 @@ class Simulation {
   int threads() const { return team_.size(); }
   double grain_steps() const { return grain_steps_; }  ///< moving grains times steps
   double wall_seconds() const;
-  std::int64_t released() const { return pour_.released(); }
-  std::int64_t grains_lost() const;
 
  private:
   /// Force on the fixed grains over one stretch between observations.
@@ -77,10 +60,15 @@ class Simulation {
     std::vector<Vec<2>> impulse;  // per fixed grain, by id order
   };
 
+  long observations_in(double time) const;
   long next_stop() const;
   void release_due_grains();
   void observe(const Hooks& hooks);
   void record_reactions();
+  void record_track(const Contacts<2>& contacts);
+  BaseProfile base_profile() const;
+  double force_on_supports(const Contacts<2>& contacts) const;
+  std::int64_t grains_lost() const;
   bool at_rest() const;
   void stop(Status status, std::string message);
   std::string describe_trouble(const Contacts<2>& contacts) const;
@@ -95,11 +83,13 @@ class Simulation {
   std::vector<std::int64_t> fixed_ids_;
   long observe_every_;
   long frame_every_;  // in observations; 0: never
+  long track_every_;  // in observations; 0: never
   long step_ = 0;
   double grain_steps_ = 0.0;
   std::size_t moving_ = 0;
   std::deque<Stretch> window_;
   std::vector<SeriesRow> series_;
+  Track track_;
   Status status_ = Status::running;
   std::string message_;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/run/summary.hpp"
 
+#include "repose/analysis/statistics.hpp"
 #include "repose/core/version.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace repose {
@@ -36,35 +38,91 @@ Json dip_json(const std::optional<BaseDip>& dip) {
   return {{"index", dip->index}, {"centre", dip->centre}, {"half_width", dip->half_width}};
 }
 
+Json core_json(const CoreRegion& core) {
+  if (core.grains == 0) return nullptr;
+  return {{"grains", core.grains},
+          {"solid_fraction", number(core.solid_fraction)},
+          {"coordination", number(core.coordination)}};
+}
+
+Json forces_json(const std::optional<ForceStatistics>& forces, double weight) {
+  if (!forces) return nullptr;
+  return {{"mean", weight > 0.0 ? number(forces->mean / weight) : Json(nullptr)},
+          {"strong_fraction", forces->strong_fraction},
+          {"sliding_fraction", forces->sliding_fraction}};
+}
+
+Json chains_json(const Chains& chains) {
+  if (chains.list.empty()) return nullptr;
+  double contacts = 0.0;
+  for (const auto& chain : chains.list) contacts += static_cast<double>(chain.contacts);
+  const auto& largest = chains.list.front();
+  return {{"count", chains.list.size()},
+          {"mean_contacts", contacts / static_cast<double>(chains.list.size())},
+          {"largest_contacts", largest.contacts},
+          {"largest_height", largest.height}};
+}
+
+/// Means over the events of one kind; the waiting time of the first is not defined and does not count.
+template <class Event, class Value>
+Json mean_over(const std::vector<Event>& events, const Value& value) {
+  std::vector<double> values;
+  for (const auto& event : events) values.push_back(static_cast<double>(value(event)));
+  return number(mean_of(values).mean);
+}
+
+Json avalanches_json(const Motion& motion) {
+  if (motion.rows.empty()) return nullptr;
+  const auto& list = motion.avalanches;
+  std::size_t largest = 0;
+  for (const auto& event : list) largest = std::max(largest, event.size);
+  return {{"count", list.size()},
+          {"largest_size", largest},
+          {"mean_size", mean_over(list, [](const auto& event) { return event.size; })},
+          {"mean_duration", mean_over(list, [](const auto& event) { return event.duration; })},
+          {"mean_waiting", mean_over(list, [](const auto& event) { return event.waiting; })},
+          {"mean_depth", mean_over(list, [](const auto& event) { return event.depth; })}};
+}
+
+Json bursts_json(const Motion& motion) {
+  if (motion.rows.empty()) return nullptr;
+  const auto& list = motion.bursts;
+  return {{"count", list.size()},
+          {"mean_peak", mean_over(list, [](const auto& event) { return event.peak; })},
+          {"mean_duration", mean_over(list, [](const auto& event) { return event.duration; })},
+          {"mean_waiting", mean_over(list, [](const auto& event) { return event.waiting; })}};
+}
+
 }  // namespace
 
-std::string summary_text(const Simulation& simulation, const Contacts<2>& contacts, const Reading& reading) {
-  const auto& scene = simulation.scene();
-  const bool observed = !simulation.series().empty();
-  const SeriesRow last = observed ? simulation.series().back() : SeriesRow{};
-  const double seconds = simulation.wall_seconds();
+std::string summary_text(const Record& record, const Reading& reading) {
+  const auto& scene = record.scene;
+  const auto& facts = record.facts;
+  const bool observed = !record.series.empty();
+  const SeriesRow last = observed ? record.series.back() : SeriesRow{};
+  const double seconds = facts.wall_seconds;
   Json json;
   json["title"] = scene.title;
   json["repose_version"] = version;
   json["method"] = scene.method.kind;
   json["seed"] = scene.seed;
-  json["status"] = status_text(simulation.status());
-  json["stop_reason"] = simulation.message();
-  json["grains"] = moving_count(simulation.grains());
-  json["grains_released"] = simulation.released();
-  json["grains_lost"] = simulation.grains_lost();
+  json["status"] = status_text(facts.status);
+  json["stop_reason"] = facts.message;
+  json["grains"] = moving_count(record.grains);
+  json["grains_released"] = facts.released;
+  json["grains_lost"] = facts.lost;
   json["contacts"] = reading.network.contacts;
   json["force_threshold"] = scene.analysis.force_threshold;
-  json["time"] = simulation.time();
-  json["steps"] = simulation.steps();
-  json["time_step"] = simulation.time_step();
+  json["time"] = facts.time;
+  json["steps"] = facts.steps;
+  json["time_step"] = facts.time_step;
   json["velocities"] = scene.synchronised() ? "synchronised" : "half-step";
-  json["threads"] = simulation.threads();
+  json["threads"] = facts.threads;
   json["wall_seconds"] = seconds;
-  json["grain_steps_per_second"] = seconds > 0.0 ? number(simulation.grain_steps() / seconds) : Json(nullptr);
+  json["grain_steps_per_second"] = seconds > 0.0 ? number(facts.grain_steps / seconds) : Json(nullptr);
   json["kinetic_energy_per_grain"] = observed ? number(last.kinetic_energy_per_grain) : Json(nullptr);
   json["force_residual"] = observed ? number(last.force_residual) : Json(nullptr);
-  json["max_overlap"] = number(max_overlap(contacts));
+  json["max_overlap"] = number(reading.max_overlap);
   json["solid_fraction"] = nullptr;
   json["coordination"] = number(reading.network.coordination);
   json["anisotropy"] = number(reading.network.anisotropy);
@@ -72,10 +130,22 @@ std::string summary_text(const Simulation& simulation, const Contacts<2>& contac
   json["connectivity"] = reading.network.coordination ? Json(reading.network.connectivity) : Json(nullptr);
   json["angle_of_repose_deg"] = angle(reading.heap);
   json["heap_height"] = reading.heap.surface.empty() ? Json(nullptr) : Json(reading.heap.apex_height);
-  json["base_profile"] = base_profile(reading.base);
+  json["core"] = core_json(reading.core);
+  json["forces"] = forces_json(reading.forces, scene.grain_weight());
+  json["chains"] = chains_json(reading.chains);
+  json["avalanches"] = avalanches_json(reading.motion);
+  json["bursts"] = bursts_json(reading.motion);
+  json["base_profile"] = base_profile(record.base);
   json["base_dip"] = dip_json(reading.dip);
+  json["base_scatter"] = number(reading.base_scatter);
   json["weight_error"] = number(reading.weight_error);
+  json["field_weight_error"] = number(reading.field_weight_error);
   return json.dump(2) + "\n";
+}
+
+std::string summary_status(const std::string& text) {
+  const auto json = Json::parse(text, nullptr, false);
+  return json.is_object() ? json.value("status", std::string()) : std::string();
 }
 
 }  // namespace repose

@@ -3,12 +3,16 @@
 #pragma once
 
 #include "repose/run/reading.hpp"
+#include "repose/run/record.hpp"
 
 #include <string>
 
 namespace repose {
 
-/// summary.json of a simulation: keys as in docs/reference/summary.md, null where a number is not defined.
-std::string summary_text(const Simulation& simulation, const Contacts<2>& contacts, const Reading& reading);
+/// summary.json: numbers by name, null where not defined; see docs/reference/summary.md.
+std::string summary_text(const Record& record, const Reading& reading);
+
+/// "status" of the text of a summary; "" if it is none.
+std::string summary_status(const std::string& text);
 
 }  // namespace repose

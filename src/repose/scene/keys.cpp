@@ -122,7 +122,13 @@ void grains_and_source_keys(Scene& scene, Keys& keys) {
         keys.number(prefix + "diameter", grain.diameter, d, positive, "L", "mass goes with its square");
         keys.flag(prefix + "fixed", grain.fixed, false, "never moves nor turns");
       });
-  keys.choice("source.kind", scene.source.kind, "none", {"pour", "none"}, "where grains come from");
+  keys.choice("source.kind", scene.source.kind, "none", {"pour", "lattice", "none"},
+              "where grains come from: poured, or there at the start as a triangular lattice pile on the base");
+  if (scene.source.kind == "lattice") {
+    keys.integer("source.rows", scene.source.rows, std::nullopt, 1,
+                 "of the 60-degree pile: as many grains in the lowest, one less in each above");
+    keys.number("source.x", scene.source.x, 0.0, any, "L", "of the apex");
+  }
   if (scene.source.kind != "pour") return;
   keys.integer("source.count", scene.source.count, std::nullopt, 1, "grains released in all");
   keys.number("source.rate", scene.source.rate, required, positive, "1/T", "grains per time; the first at time 0");
@@ -142,9 +148,21 @@ void run_keys(Scene& scene, Keys& keys) {
               "between saved frames; 0: none");
   keys.number("output.window", scene.output.window, 10.0 * time_unit, positive, "T",
               "at the end, over which base forces are averaged");
+  keys.number("output.track", scene.output.track, 0.0, not_negative, "T",
+              "between moments at which the place of every grain is kept, for avalanches; 0: none");
   keys.number("analysis.bin_width", scene.analysis.bin_width, 2.0 * d, positive, "L", "of the surface profile");
   keys.number("analysis.force_threshold", scene.analysis.force_threshold, 0.2, not_negative, "grain weights",
-              "contacts that carry less do not count for the coordination");
+              "contacts that carry less do not count");
+  keys.number("analysis.base_bin", scene.analysis.base_bin, 5.0 * d, positive, "L", "of the binned base profile");
+  keys.number("analysis.field_width", scene.analysis.field_width, 1.5 * d, positive, "L",
+              "standard deviation of the Gaussian that smooths stress and density");
+  keys.number("analysis.core_depth", scene.analysis.core_depth, 4.0 * d, not_negative, "L",
+              "below the surface, where the core of a heap begins");
+  keys.number("analysis.moved", scene.analysis.moved, 0.5 * d, positive, "L",
+              "a grain that goes farther between two moments of the track has moved");
+  keys.integer("analysis.avalanche", scene.analysis.avalanche, 10, 1, "grains that move at once in an avalanche");
+  keys.number("analysis.burst", scene.analysis.burst, 5.0, positive, "grain weights times diameters",
+              "kinetic energy of the heap above which a burst is counted");
 }
 
 }  // namespace

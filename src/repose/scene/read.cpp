@@ -5,27 +5,15 @@
 #include "repose/core/errors.hpp"
 #include "repose/laws/time_step.hpp"
 #include "repose/scene/reader.hpp"
+#include "repose/scene/toml_file.hpp"
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace repose {
 
 namespace {
-
-toml::table parsed(const std::string& text, const std::string& name) {
-  try {
-    return toml::parse(text, name);
-  } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}:{}: {}", name, error.source().begin.line, error.description()));
-  }
-}
 
 std::string trimmed(const std::string& text) {
   const auto begin = text.find_first_not_of(" \t");
@@ -34,16 +22,17 @@ std::string trimmed(const std::string& text) {
 }
 
 /// Puts "a.b=value" into the table; returns the key, or adds a problem and returns "".
-std::string apply(const std::string& setting, toml::table& root, std::vector<std::string>& problems) {
+std::string apply(const std::string& setting, const std::string& origin, toml::table& root,
+                  std::vector<std::string>& problems) {
   const auto equals = setting.find('=');
   const std::string key = trimmed(setting.substr(0, equals));
   const bool empty_step = key.empty() || key.front() == '.' || key.back() == '.' || key.find("..") != std::string::npos;
   if (equals == std::string::npos || empty_step || setting.find('\n') != std::string::npos) {
-    problems.push_back(fmt::format("--set {}: must be KEY=VALUE, with a key as in contact.friction", setting));
+    problems.push_back(fmt::format("{}: must be KEY=VALUE, with a key as in contact.friction", origin));
     return "";
   }
   if (key.find('[') != std::string::npos) {
-    problems.push_back(fmt::format("--set {}: entries of lists are set in the scene file only", setting));
+    problems.push_back(fmt::format("{}: entries of lists are set in the scene file only", origin));
     return "";
   }
   const std::string value = trimmed(setting.substr(equals + 1));
@@ -60,13 +49,39 @@ std::string apply(const std::string& setting, toml::table& root, std::vector<std
     if (table->get(step) == nullptr) table->insert(step, toml::table{});
     table = table->get(step)->as_table();
     if (table == nullptr) {
-      problems.push_back(fmt::format("--set {}: \"{}\" is not a table", setting, step));
+      problems.push_back(fmt::format("{}: {}: \"{}\" is not a table", origin, key, step));
       return "";
     }
     rest = rest.substr(dot + 1);
   }
   table->insert_or_assign(rest, *holder.get("value"));
   return key;
+}
+
+/// A lattice pile stands on what it can stand on, and within the box.
+void check_lattice(const Scene& scene, Reader& reader) {
+  constexpr std::int64_t most_rows = 4000;
+  const auto& source = scene.source;
+  if (source.rows > most_rows && reader.sound("source.rows")) {
+    reader.problem("source.rows", fmt::format(" = {}: must be at most {}", source.rows, most_rows));
+  }
+  if (scene.base.kind == "none" && reader.sound("source.kind") && reader.sound("base.kind")) {
+    reader.problem("source.kind", " = \"lattice\": needs a base to stand on: base.kind = \"row\" or \"plane\"");
+  }
+  const double d = scene.grains.diameter;
+  const bool fits = scene.base.spacing >= d && scene.base.spacing <= 1.5 * d;
+  if (scene.base.kind == "row" && reader.sound("base.spacing") && !fits) {
+    reader.problem("base.spacing", fmt::format(" = {}: must be 1 to 1.5 diameters, {} to {}, under a lattice [L]",
+                                               scene.base.spacing, d, 1.5 * d));
+  }
+  if (scene.grains.polydispersity > 0.0 && reader.sound("grains.polydispersity")) {
+    reader.problem("grains.polydispersity", fmt::format(" = {}: must be 0 for a lattice", scene.grains.polydispersity));
+  }
+  const double half = 0.5 * static_cast<double>(source.rows + 1) * scene.base_pitch();
+  const double room = scene.base.kind == "row" && scene.box.x == "open" ? scene.base.half_width : scene.box.half_width;
+  if (std::fabs(source.x) + half > room && reader.sound("source.rows") && reader.sound("box.half_width")) {
+    reader.problem("source.rows", fmt::format(" = {}: the pile must lie within x = +-{}", source.rows, room));
+  }
 }
 
 /// What one key alone cannot tell.
@@ -76,11 +91,12 @@ void check_together(const Scene& scene, Reader& reader) {
     reader.problem("gravity", " = 0: the continuous law has its force scale from gravity; use hooke or gravity > 0");
   }
   if (scene.source.kind == "none" && scene.placed.empty() && reader.sound("grain") && reader.sound("source.kind")) {
-    reader.problem("source.kind", ": there are no grains: needs source.kind = \"pour\" or at least one [[grain]]");
+    reader.problem("source.kind", ": there are no grains: needs a source.kind or at least one [[grain]]");
   }
   if (scene.source.kind == "pour" && scene.gravity == 0.0 && reader.sound("gravity")) {
     reader.problem("source.kind", " = \"pour\": needs gravity > 0");
   }
+  if (scene.source.kind == "lattice") check_lattice(scene, reader);
   if (!scene.stop.time && !scene.stop.at_rest && reader.sound("stop.time") && reader.sound("stop.at_rest")) {
     reader.problem("stop", ": missing: give time, at_rest or both; the run ends at whichever comes first");
   }
@@ -166,19 +182,21 @@ void check_time_step(const Scene& scene, Reader& reader) {
 }  // namespace
 
 Scene read_scene_text(const std::string& text, const std::string& name, const Overrides& overrides) {
-  toml::table root = parsed(text, name);
+  toml::table root = parsed_toml(text, name);
   std::vector<std::string> problems;
-  std::vector<std::pair<std::string, std::string>> from_command_line;
-  for (const auto& setting : overrides.set) {
-    const auto key = apply(setting, root, problems);
-    if (!key.empty()) from_command_line.emplace_back(key, "--set " + setting);
+  std::vector<std::pair<std::string, std::string>> origins;
+  for (std::size_t k = 0; k < overrides.set.size(); ++k) {
+    const auto& setting = overrides.set[k];
+    const auto origin = k < overrides.origins.size() ? overrides.origins[k] : "--set " + setting;
+    const auto key = apply(setting, origin, root, problems);
+    if (!key.empty()) origins.emplace_back(key, origin);
   }
   if (overrides.seed) {
     root.insert_or_assign("seed", *overrides.seed);
-    from_command_line.emplace_back("seed", "--seed");
+    origins.emplace_back("seed", "--seed");
   }
   Reader reader(root, name);
-  for (const auto& [key, option] : from_command_line) reader.from_command_line(key, option);
+  for (const auto& [key, origin] : origins) reader.comes_from(key, origin);
   Scene scene;
   go_through(scene, reader);
   reader.report_unknown_keys();
@@ -190,14 +208,7 @@ Scene read_scene_text(const std::string& text, const std::string& name, const Ov
 }
 
 Scene read_scene(const std::string& path, const Overrides& overrides) {
-  errno = 0;
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) throw InputError(fmt::format("{}: cannot read: is a folder", path));
-  std::ifstream file(path);
-  std::ostringstream text;
-  if (file) text << file.rdbuf();
-  if (!file) throw InputError(fmt::format("{}: cannot read: {}", path, std::strerror(errno != 0 ? errno : EIO)));
-  return read_scene_text(text.str(), path, overrides);
+  return read_scene_text(text_of_file(path), path, overrides);
 }
 
 }  // namespace repose

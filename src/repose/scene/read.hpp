@@ -11,9 +11,10 @@
 
 namespace repose {
 
-/// What the command line changes in a scene.
+/// What the command line or a sweep changes in a scene.
 struct Overrides {
-  std::vector<std::string> set;  ///< "key=value", the value as in the file; a bare word is taken as text
+  std::vector<std::string> set;      ///< "key=value", the value as in the file; a bare word is taken as text
+  std::vector<std::string> origins;  ///< where the entries of `set` stand, for messages; the command line if left out
   std::optional<std::int64_t> seed;
 };
 

@@ -41,8 +41,8 @@ class Reader final : public Keys {
   bool given(const std::string& key) const { return find(key) != nullptr; }
   /// Adds a problem for every key of the file that `go_through` did not ask for.
   void report_unknown_keys();
-  /// Says that a key came from the command line.
-  void from_command_line(const std::string& key, const std::string& option) { origin_[key] = option; }
+  /// Says that a key came from elsewhere than the file.
+  void comes_from(const std::string& key, const std::string& origin) { origin_[key] = origin; }
   const std::vector<std::string>& problems() const { return problems_; }
 
  private:

@@ -9,6 +9,10 @@
 
 namespace repose {
 
+double Scene::base_pitch() const {
+  return base.kind == "row" ? std::max(base.spacing, grains.diameter) : grains.diameter;
+}
+
 double Scene::smallest_diameter() const {
   double smallest = grains.diameter * (1.0 - grains.polydispersity);
   for (const auto& grain : placed) smallest = std::min(smallest, grain.diameter);
@@ -28,6 +32,7 @@ bool Scene::synchronised() const {
 
 double Scene::contact_frequency() const {
   double fall = source.kind == "pour" ? source.height : grains.diameter;
+  if (source.kind == "lattice") fall = static_cast<double>(source.rows) * grains.diameter;
   for (const auto& grain : placed) {
     const double speed2 = std::pow(grain.velocity[0], 2) + std::pow(grain.velocity[1], 2);
     const double rise = gravity > 0.0 ? 0.5 * speed2 / gravity : 0.0;

@@ -68,8 +68,9 @@ struct Scene {
   std::vector<Placed> placed;
 
   struct Source {
-    std::string kind;  ///< "pour" or "none"
+    std::string kind;  ///< "pour", "lattice" or "none"
     std::int64_t count = 0;
+    std::int64_t rows = 0;    ///< of a lattice
     double rate = 0.0;        ///< [1/T]
     double height = 0.0;      ///< [L] above the base
     double half_width = 0.0;  ///< [L]
@@ -85,14 +86,22 @@ struct Scene {
     double series = 0.0;  ///< [T] between two rows of the time series
     double frames = 0.0;  ///< [T] between two saved frames; 0: none
     double window = 0.0;  ///< [T] over which base forces are averaged
+    double track = 0.0;   ///< [T] between two moments of the track; 0: none
   } output;
 
   struct Analysis {
     double bin_width = 0.0;        ///< [L]
     double force_threshold = 0.0;  ///< [grain weights]
+    double base_bin = 0.0;         ///< [L]
+    double field_width = 0.0;      ///< [L]
+    double core_depth = 0.0;       ///< [L]
+    double moved = 0.0;            ///< [L]
+    std::int64_t avalanche = 0;    ///< grains
+    double burst = 0.0;            ///< [grain weights times diameters]
   } analysis;
 
   double grain_weight() const { return grains.mass * gravity; }
+  double base_pitch() const;  ///< [L] between neighbours of a lattice pile's lowest row
   double smallest_diameter() const;
   double largest_diameter() const;
   double time_step() const;          ///< [T] given or automatic

@@ -3,6 +3,7 @@
 #include "repose/scene/write.hpp"
 
 #include "repose/scene/keys.hpp"
+#include "repose/scene/toml_text.hpp"
 
 #include <fmt/format.h>
 
@@ -10,40 +11,18 @@ namespace repose {
 
 namespace {
 
-std::string quoted(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
-      out += '\\';
-      out += c;
-    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-      out += fmt::format("\\u{:04x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
-    } else {
-      out += c;
-    }
-  }
-  return out + "\"";
-}
-
-/// The shortest text that reads back as the same double, always with a point or an exponent.
-std::string number_text(double value) {
-  std::string text = fmt::format("{}", value);
-  if (text.find_first_of(".en") == std::string::npos) text += ".0";
-  return text;
-}
-
 class Writer final : public Keys {
  public:
   void number(const std::string& key, double& value, double, const Bounds&, std::string_view unit,
               std::string_view about) override {
-    line(key, number_text(value), unit, about);
+    line(key, toml_number(value), unit, about);
   }
   void optional_number(const std::string& key, std::optional<double>& value, std::string_view none, const Bounds&,
                        std::string_view unit, std::string_view about) override {
     if (value) {
-      line(key, number_text(*value), unit, about);
+      line(key, toml_number(*value), unit, about);
     } else if (!none.empty()) {
-      line(key, quoted(none), unit, about);
+      line(key, toml_quoted(none), unit, about);
     }
   }
   void integer(const std::string& key, std::int64_t& value, std::optional<std::int64_t>, std::int64_t,
@@ -54,15 +33,15 @@ class Writer final : public Keys {
     line(key, value ? "true" : "false", "", about);
   }
   void text(const std::string& key, std::string& value, std::string_view, std::string_view about) override {
-    line(key, quoted(value), "", about);
+    line(key, toml_quoted(value), "", about);
   }
   void choice(const std::string& key, std::string& value, std::string_view, const std::vector<std::string>&,
               std::string_view about) override {
-    line(key, quoted(value), "", about);
+    line(key, toml_quoted(value), "", about);
   }
   void vector(const std::string& key, std::array<double, 2>& value, std::optional<std::array<double, 2>>,
               std::string_view unit, std::string_view about) override {
-    line(key, fmt::format("[{}, {}]", number_text(value[0]), number_text(value[1])), unit, about);
+    line(key, fmt::format("[{}, {}]", toml_number(value[0]), toml_number(value[1])), unit, about);
   }
   void tables(const std::string& key, const std::function<std::size_t(std::size_t)>& resize,
               const std::function<void(const std::string& prefix, std::size_t index)>& each) override {

@@ -1,0 +1,32 @@
+# SPDX-FileCopyrightText: 2026 The Repose developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reads analysis.h5 of a run folder; the format is described in docs/reference/analysis.md."""
+
+from repose.hdf5 import Table, attributes_of, check_format, opened
+
+FORMAT_VERSION = 1
+GROUPS = {
+    "surface": "x height used",
+    "base": "x count normal normal_error shear shear_error",
+    "voronoi": "id area solid_fraction closed offset vertices",
+    "forces": "f density error direction_deg direction_all direction_strong",
+    "chains": "contacts grains direction_deg extent chain",
+    "fields": "x y density solid_fraction stress_xx stress_xy stress_yx stress_yy support_x support_y",
+    "motion": "start end grains moved moved_left depth kinetic_energy angle_left angle_right",
+    "avalanches": "start end size duration waiting depth left",
+    "bursts": "start end duration waiting peak",
+}  # by group the datasets that it has
+
+
+class Analysis(dict):
+    """What the analysis derived from the last state of a run: a Table by name of its group, None without."""
+
+    attributes: dict  # of analysis.h5: repose_version, time [T] of the state
+
+    def __init__(self, path):
+        with opened(path) as file:
+            self.attributes = attributes_of(file)
+            check_format(path, self.attributes, "analysis", FORMAT_VERSION, ["time"])
+            super().__init__(
+                {name: Table(file[name], columns) if name in file else None for name, columns in GROUPS.items()}
+            )

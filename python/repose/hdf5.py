@@ -1,0 +1,74 @@
+# SPDX-FileCopyrightText: 2026 The Repose developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""What all readers share: open a file, check its format, and say in one line what is wrong with it."""
+
+from contextlib import contextmanager
+
+import h5py
+import numpy as np
+
+
+class RunFolderError(ValueError):
+    """A folder that holds nothing readable; the message is one line."""
+
+
+class Table(dict):
+    """Columns by name, with the attributes of their group; text as lists of str; KeyError without a needed column."""
+
+    def __init__(self, group, needed=""):
+        super().__init__({name: values_of(part) for name, part in group.items() if isinstance(part, h5py.Dataset)})
+        self.attributes = attributes_of(group)
+        missing = [f"{group.name}/{name}" for name in needed.split() if name not in self]
+        if missing:
+            raise KeyError(f"no dataset {', '.join(missing)}")
+
+
+def values_of(dataset):
+    """The array of a dataset, or a list of str."""
+    if h5py.check_string_dtype(dataset.dtype):
+        return dataset.asstr()[()].tolist()
+    return dataset[()]
+
+
+def attributes_of(group):
+    """Attributes of a group as Python values and arrays; text as str."""
+    values = {}
+    for name, value in group.attrs.items():
+        if isinstance(value, bytes):
+            value = value.decode("utf-8")
+        values[name] = value.item() if isinstance(value, np.generic) else value
+    return values
+
+
+def check_format(path, attributes, kind, version, needed=()):
+    """RunFolderError unless the attributes are those of repose-`kind` in this version, with the needed ones."""
+    article = "an" if kind[0] in "aeiou" else "a"
+    if attributes.get("format") != f"repose-{kind}":
+        raise RunFolderError(f"{path}: not {article} {kind} of Repose (no format = 'repose-{kind}')")
+    if attributes.get("format_version") != version:
+        raise RunFolderError(f"{path}: format_version {attributes.get('format_version')}; this reads {version}")
+    missing = sorted(set(needed) - attributes.keys())
+    if missing:
+        raise RunFolderError(f"{path}: not as the format says: no attribute {', '.join(missing)}")
+
+
+@contextmanager
+def opened(path):
+    """An HDF5 file; what h5py says of it, or of a missing or damaged part, becomes a RunFolderError."""
+    if not path.is_file():
+        raise RunFolderError(f"{path.parent}: no {path.name} in this folder")
+    try:
+        file = h5py.File(path, "r")
+    except OSError as error:
+        raise RunFolderError(f"{path}: cannot be read: {one_line(error)}") from error
+    with file:
+        try:
+            yield file
+        except RunFolderError:
+            raise
+        except (AttributeError, KeyError, OSError, TypeError, ValueError) as error:
+            raise RunFolderError(f"{path}: not as the format says: {one_line(error)}") from error
+
+
+def one_line(error):
+    return " ".join(str(error).strip("'\"").split())

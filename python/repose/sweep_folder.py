@@ -1,0 +1,57 @@
+# SPDX-FileCopyrightText: 2026 The Repose developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reads a sweep folder; the format is described in docs/reference/sweep.md."""
+
+from pathlib import Path
+
+import numpy as np
+
+from repose.hdf5 import RunFolderError, Table, attributes_of, check_format, opened
+
+FORMAT_VERSION = 1
+NEEDED = {"title", "units"}
+COLUMNS = "x normal normal_error shear shear_error"
+
+
+class Profile(Table):
+    """Mean base profile of a point by base grain [L], [grain weights], and the same in bins: another Table."""
+
+    def __init__(self, group):
+        super().__init__(group, COLUMNS)
+        self.binned = Table(group["binned"], COLUMNS)
+
+
+class SweepFolder:
+    """What a sweep wrote, read once: P points, K members."""
+
+    path: Path
+    attributes: dict  # of sweep.h5: title, units, repose_version
+    points: "list[str]"  # (P) names
+    finished: np.ndarray  # (P) finished members
+    parameters: "dict[str, np.ndarray]"  # (P) by key, of keys that vary; NaN where not a number or not set
+    parameter_text: "dict[str, list[str]]"  # (P) the same as text, empty where not set
+    measures: "dict[str, Table]"  # mean, error, deviation, count: each (P)
+    members: Table  # point, seed, status: each (K)
+    values: "dict[str, np.ndarray]"  # measures by member (K)
+    profiles: "list[Profile | None]"  # (P)
+
+    def __init__(self, path):
+        self.path = Path(path)
+        if not self.path.is_dir():
+            raise RunFolderError(f"{path}: no such folder")
+        with opened(self.path / "sweep.h5") as file:
+            self.attributes = attributes_of(file)
+            check_format(self.path / "sweep.h5", self.attributes, "sweep", FORMAT_VERSION, NEEDED)
+            points = Table(file["points"], "name members")
+            self.points, self.finished = points["name"], points["members"]
+            self.parameters, self.parameter_text, self.values = (
+                dict(Table(file[name])) if name in file else {} for name in ("parameters", "parameter_text", "values")
+            )
+            self.measures = {name: Table(part, "mean error deviation count") for name, part in file["measures"].items()}
+            self.members = Table(file["members"], "point seed status")
+            self.profiles = [_read_profile(file, k) for k in range(len(self.points))]
+
+
+def _read_profile(file, point):
+    name = f"profiles/{point:04}"
+    return Profile(file[name]) if name in file else None

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/analysis/force_statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace repose {
+
+namespace {
+
+/// Counts as probability densities; all zero without any.
+std::vector<double> densities(const std::vector<double>& counts, double bin_width) {
+  double all = 0.0;
+  for (const double count : counts) all += count;
+  std::vector<double> values;
+  for (const double count : counts) values.push_back(all > 0.0 ? count / (all * bin_width) : 0.0);
+  return values;
+}
+
+/// Axis of a contact from the horizontal, in [0, 180) degrees.
+double axis_deg(const Vec<2>& normal) {
+  const double angle = std::atan2(normal[1], normal[0]) * 180.0 / std::numbers::pi;
+  const double folded = angle < 0.0 ? angle + 180.0 : angle;
+  return folded < 180.0 ? folded : 0.0;
+}
+
+}  // namespace
+
+std::optional<ForceStatistics> read_force_statistics(const Contacts<2>& contacts, double threshold) {
+  std::vector<const Contact<2>*> counting;
+  for (const auto& contact : contacts.list) {
+    if (contact.normal_force > threshold && std::isfinite(contact.normal_force)) counting.push_back(&contact);
+  }
+  if (counting.empty()) return std::nullopt;
+  const auto n = static_cast<double>(counting.size());
+  ForceStatistics statistics;
+  double sum = 0.0;
+  double largest = 0.0;
+  for (const auto* contact : counting) {
+    sum += contact->normal_force;
+    largest = std::max(largest, contact->normal_force);
+  }
+  statistics.mean = sum / n;
+
+  constexpr double usual_width = 0.1;
+  constexpr double most_bins = 1000.0;
+  const double range = largest / statistics.mean;
+  statistics.bin_width = std::max(usual_width, range / (most_bins - 1.0));
+  const auto bins = static_cast<std::size_t>(range / statistics.bin_width) + 1;
+  constexpr std::size_t direction_bins = 18;
+  constexpr double direction_width = 180.0 / direction_bins;
+  std::vector<double> counts(bins, 0.0);
+  std::vector<double> all(direction_bins, 0.0);
+  std::vector<double> strong(direction_bins, 0.0);
+  for (const auto* contact : counting) {
+    const double f = contact->normal_force / statistics.mean;
+    counts[std::min(static_cast<std::size_t>(f / statistics.bin_width), bins - 1)] += 1.0;
+    const auto direction =
+        std::min(static_cast<std::size_t>(axis_deg(contact->normal) / direction_width), direction_bins - 1);
+    all[direction] += 1.0;
+    if (contact->normal_force * n > sum) {  // as in read_chains
+      strong[direction] += 1.0;
+      statistics.strong_fraction += 1.0;
+    }
+    if (contact->sliding) statistics.sliding_fraction += 1.0;
+  }
+  statistics.strong_fraction /= n;
+  statistics.sliding_fraction /= n;
+  statistics.density = densities(counts, statistics.bin_width);
+  for (std::size_t k = 0; k < bins; ++k) {
+    statistics.f.push_back((static_cast<double>(k) + 0.5) * statistics.bin_width);
+    statistics.error.push_back(std::sqrt(counts[k]) / (n * statistics.bin_width));
+  }
+  statistics.direction_all = densities(all, direction_width);
+  statistics.direction_strong = densities(strong, direction_width);
+  for (std::size_t k = 0; k < direction_bins; ++k) {
+    statistics.direction_deg.push_back((static_cast<double>(k) + 0.5) * direction_width);
+  }
+  return statistics;
+}
+
+}  // namespace repose

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/cli/sweep_view.hpp"
+
+#include "repose/run/expectation.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace repose {
+
+using Stage = MemberProgress::Stage;
+
+namespace {
+
+/// The measures that a terminal has room for.
+struct Shown {
+  const char* measure;
+  const char* head;
+  int decimals;
+};
+constexpr Shown shown[] = {{"angle_of_repose_deg.mean", "angle [deg]", 2}, {"base_dip.index", "dip index", 3},
+                           {"profile.dip_index", "dip of mean", 3},        {"coordination", "coordination", 3},
+                           {"core.solid_fraction", "core fraction", 4},    {"max_overlap", "overlap", 4}};
+constexpr int column_width = 17;
+
+std::string with_error(const Estimate& estimate, int decimals) {
+  if (std::isnan(estimate.mean)) return "-";
+  if (std::isnan(estimate.error)) return fmt::format("{:.{}f}", estimate.mean, decimals);
+  return fmt::format("{:.{}f} +- {:.{}f}", estimate.mean, decimals, estimate.error, decimals);
+}
+
+std::size_t name_width(const SweepPlan& plan) {
+  std::size_t width = 5;
+  for (const auto& point : plan.points) width = std::max(width, point.name.size());
+  return width;
+}
+
+std::string clock_text(double seconds) {
+  const auto whole = static_cast<long>(seconds + 0.5);
+  return whole >= 3600 ? fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60)
+                       : fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+}  // namespace
+
+std::string describe_plan(const SweepPlan& plan) {
+  std::string text = fmt::format("sweep            {}\n", plan.title.empty() ? "(untitled)" : plan.title);
+  text += fmt::format("members          {} points with {} seeds each\n", plan.points.size(), plan.seeds.size());
+  double work = 0.0;
+  for (const auto& point : plan.points) {
+    const double each = expected_work(point.scene, expected_end(point.scene));
+    text += fmt::format("  {:{}}  {:.3g} grain-steps each\n", point.name, name_width(plan), each);
+    work += each * static_cast<double>(plan.seeds.size());
+  }
+  text += fmt::format("expected         {:.3g} grain-steps in all\nclaims           {}\n", work, plan.claims.size());
+  return text;
+}
+
+std::string describe_table(const SweepFolder& folder, const SweepTable& table) {
+  const auto& plan = folder.plan();
+  const auto width = name_width(plan);
+  std::string text = fmt::format("\n{:{}}  {:>7}", "point", width, "members");
+  for (const auto& column : shown) text += fmt::format("  {:>{}}", column.head, column_width);
+  text += "\n";
+  for (std::size_t p = 0; p < plan.points.size(); ++p) {
+    text += fmt::format("{:{}}  {:>7}", plan.points[p].name, width, table.finished[p]);
+    for (const auto& column : shown) {
+      const auto found = std::find(table.measures.begin(), table.measures.end(), column.measure);
+      const auto m = static_cast<std::size_t>(found - table.measures.begin());
+      text += fmt::format(
+          "  {:>{}}", m < table.measures.size() ? with_error(table.entries[p][m], column.decimals) : "-", column_width);
+    }
+    if (table.failed[p] > 0) text += fmt::format("  {} failed", table.failed[p]);
+    text += "\n";
+  }
+  text += "mean +- standard error of the members\n";
+  for (std::size_t k = 0; k < plan.claims.size(); ++k) {
+    const auto& claim = plan.claims[k];
+    const auto& verdict = table.verdicts[k];
+    const auto bound = std::isfinite(claim.above) && std::isfinite(claim.below)
+                           ? fmt::format("{:g} to {:g}", claim.above, claim.below)
+                       : std::isfinite(claim.above) ? fmt::format("above {:g}", claim.above)
+                                                    : fmt::format("below {:g}", claim.below);
+    text += fmt::format("{}{:9}  {}: {:.4g} +- {:.2g}, claimed {}\n", k == 0 ? "\n" : "", verdict.word, claim.text,
+                        verdict.value, verdict.error, bound);
+  }
+  text += fmt::format("\nwritten          {0}/table.csv, members.csv, sweep.h5\n", folder.path());
+  return text;
+}
+
+SweepView::SweepView(const SweepFolder& folder, const Sweep& sweep, bool quiet)
+    : folder_(folder),
+      sweep_(sweep),
+      quiet_(quiet),
+      terminal_(::isatty(STDOUT_FILENO) == 1),
+      share_at_start_(sweep.share()),
+      results_(folder.members().size()) {
+  if (quiet_) return;
+  fmt::print("{}", describe_plan(folder.plan()));
+  const auto earlier = sweep.count(Stage::finished) + sweep.count(Stage::failed);
+  if (earlier > 0) fmt::print("going on         {} members have ended before and are kept\n", earlier);
+  fmt::print("output           {}\n", folder.path());
+  std::fflush(stdout);
+  for (std::size_t k = 0; k < results_.size(); ++k) {
+    if (sweep.progress()[k].stage == Stage::finished) read_results(k);
+  }
+}
+
+std::string SweepView::member_name(std::size_t member) const {
+  const auto& what = folder_.members()[member];
+  return fmt::format("{} seed {}", folder_.plan().points[what.point].name, what.seed);
+}
+
+void SweepView::read_results(std::size_t member) {
+  for (const auto& [name, value] : folder_.measures(folder_.members()[member])) results_[member][name] = value;
+}
+
+std::string SweepView::time_left() const {
+  const double done = sweep_.share() - share_at_start_;
+  if (done <= 0.0) return "-";
+  return clock_text(sweep_.wall_seconds() * (1.0 - sweep_.share()) / done);
+}
+
+void SweepView::ended(std::size_t member) {
+  const auto& progress = sweep_.progress()[member];
+  if (progress.stage == Stage::failed) {
+    finish();
+    fmt::print(stderr, "{}: failed: {}\n", member_name(member), progress.message);
+  } else {
+    read_results(member);
+  }
+  if (quiet_ || terminal_) return;
+  const auto ended = sweep_.count(Stage::finished) + sweep_.count(Stage::failed);
+  std::string text = fmt::format("[{}/{}] {}: {} in {:.0f} s", ended, results_.size(), member_name(member),
+                                 progress.stage == Stage::failed ? "failed" : "finished", progress.seconds);
+  for (const auto& column : shown) {
+    const auto value = results_[member].find(column.measure);
+    if (value == results_[member].end() || std::isnan(value->second)) continue;
+    text += fmt::format(", {} {:.{}f}", column.head, value->second, column.decimals);
+  }
+  fmt::print("{}; {} left\n", text, time_left());
+  std::fflush(stdout);
+}
+
+std::string SweepView::live_table() const {
+  const auto& plan = folder_.plan();
+  const auto width = name_width(plan);
+  std::string text = fmt::format("{:{}}  {:>9}  {:>7}", "point", width, "members", "running");
+  for (const auto& column : {shown[0], shown[1], shown[3]}) text += fmt::format("  {:>{}}", column.head, column_width);
+  text += "\n";
+  constexpr std::size_t most_lines = 30;
+  for (std::size_t p = 0; p < std::min(plan.points.size(), most_lines); ++p) {
+    std::size_t finished = 0;
+    std::string running;
+    std::map<std::string, std::vector<double>> values;
+    for (std::size_t k = 0; k < results_.size(); ++k) {
+      if (folder_.members()[k].point != p) continue;
+      const auto& progress = sweep_.progress()[k];
+      if (progress.stage == Stage::finished) ++finished;
+      if (progress.stage == Stage::running)
+        running += fmt::format("{}{:.0f}%", running.empty() ? "" : " ", 100.0 * progress.share);
+      for (const auto& [name, value] : results_[k]) values[name].push_back(value);
+    }
+    text += fmt::format("{:{}}  {:>9}  {:>7}", plan.points[p].name, width,
+                        fmt::format("{}/{}", finished, plan.seeds.size()), running);
+    for (const auto& column : {shown[0], shown[1], shown[3]}) {
+      text += fmt::format("  {:>{}}", with_error(mean_of(values[column.measure]), column.decimals), column_width);
+    }
+    text += "\n";
+  }
+  if (plan.points.size() > most_lines) text += fmt::format("and {} more points\n", plan.points.size() - most_lines);
+  text += fmt::format("{:.1f} %  {} finished, {} failed of {}  {} left\n", 100.0 * sweep_.share(),
+                      sweep_.count(Stage::finished), sweep_.count(Stage::failed), results_.size(), time_left());
+  return text;
+}
+
+void SweepView::tick() {
+  if (quiet_ || !terminal_) return;
+  const auto now = Clock::now();
+  if (std::chrono::duration<double>(now - last_).count() < 0.5) return;
+  last_ = now;
+  finish();
+  const auto text = live_table();
+  fmt::print("{}", text);
+  std::fflush(stdout);
+  lines_drawn_ = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+void SweepView::finish() {
+  if (lines_drawn_ > 0) fmt::print("\033[{}A\033[J", lines_drawn_);
+  std::fflush(stdout);
+  lines_drawn_ = 0;
+}
+
+}  // namespace repose

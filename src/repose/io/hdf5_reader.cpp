@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/io/hdf5_reader.hpp"
+
+#include "repose/core/errors.hpp"
+#include "repose/io/hdf5_handle.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+
+namespace repose {
+
+Hdf5Reader::Hdf5Reader(std::string path) : path_(std::move(path)) {
+  set_up_hdf5();
+  std::error_code error;
+  if (!std::filesystem::exists(path_, error)) throw InputError(fmt::format("{}: no such file", path_));
+  file_ = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  if (file_ < 0) throw InputError(fmt::format("{}: cannot be read: damaged, or not an HDF5 file", path_));
+}
+
+Hdf5Reader::~Hdf5Reader() {
+  if (file_ >= 0) H5Fclose(file_);
+}
+
+void Hdf5Reader::fail(const std::string& object, const std::string& what) const {
+  throw InputError(fmt::format("{}: {}: {}", path_, object, what));
+}
+
+bool Hdf5Reader::has(const std::string& name) const {
+  // Every step of the path has to be asked for, and a link may point to nothing.
+  for (auto slash = name.find('/'); slash != std::string::npos; slash = name.find('/', slash + 1)) {
+    if (slash > 0 && H5Lexists(file_, name.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) return false;
+  }
+  if (H5Lexists(file_, name.c_str(), H5P_DEFAULT) <= 0) return false;
+  const Handle object(H5Oopen(file_, name.c_str(), H5P_DEFAULT), H5Oclose);
+  return !object.failed();
+}
+
+std::string Hdf5Reader::text(const std::string& object, const std::string& attribute) const {
+  const Handle handle(H5Aopen_by_name(file_, object.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  if (handle.failed()) fail(object, fmt::format("no attribute {}", attribute));
+  const Handle type(H5Aget_type(handle.id()), H5Tclose);
+  if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) != 0) {
+    fail(object, fmt::format("attribute {} is not text", attribute));
+  }
+  std::string value(H5Tget_size(type.id()), '\0');
+  if (H5Aread(handle.id(), type.id(), value.data()) < 0) {
+    fail(object, fmt::format("attribute {} cannot be read", attribute));
+  }
+  return value.substr(0, value.find('\0'));
+}
+
+namespace {
+
+/// One value of an attribute; false where there is none.
+template <class T>
+bool read_attribute(hid_t file, const std::string& object, const std::string& attribute, T& value) {
+  const Handle handle(H5Aopen_by_name(file, object.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  if (handle.failed()) return false;
+  const Handle space(H5Aget_space(handle.id()), H5Sclose);
+  if (H5Sget_simple_extent_npoints(space.id()) != 1) return false;
+  return H5Aread(handle.id(), native_type<T>(), &value) >= 0;
+}
+
+}  // namespace
+
+double Hdf5Reader::number(const std::string& object, const std::string& attribute) const {
+  double value = 0.0;
+  if (!read_attribute(file_, object, attribute, value)) fail(object, fmt::format("no number {}", attribute));
+  return value;
+}
+
+std::int64_t Hdf5Reader::integer(const std::string& object, const std::string& attribute) const {
+  std::int64_t value = 0;
+  if (!read_attribute(file_, object, attribute, value)) fail(object, fmt::format("no number {}", attribute));
+  return value;
+}
+
+template <class T>
+std::vector<T> Hdf5Reader::dataset(const std::string& name, std::size_t columns) const {
+  const Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (dataset.failed()) fail(name, "no such dataset");
+  const Handle space(H5Dget_space(dataset.id()), H5Sclose);
+  std::array<hsize_t, 2> shape{1, 1};
+  const int rank = H5Sget_simple_extent_ndims(space.id());
+  const int wanted = columns == 1 ? 1 : 2;
+  if (rank != wanted || H5Sget_simple_extent_dims(space.id(), shape.data(), nullptr) < 0 || shape[1] != columns) {
+    fail(name, columns == 1 ? std::string("must have one dimension")
+                            : fmt::format("must have two dimensions, with {} columns", columns));
+  }
+  std::vector<T> values(shape[0] * shape[1]);
+  if (!values.empty() && H5Dread(dataset.id(), native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
+    fail(name, "cannot be read: damaged, or of another type");
+  }
+  return values;
+}
+
+template std::vector<double> Hdf5Reader::dataset(const std::string&, std::size_t) const;
+template std::vector<float> Hdf5Reader::dataset(const std::string&, std::size_t) const;
+template std::vector<std::int64_t> Hdf5Reader::dataset(const std::string&, std::size_t) const;
+template std::vector<std::uint16_t> Hdf5Reader::dataset(const std::string&, std::size_t) const;
+template std::vector<std::uint8_t> Hdf5Reader::dataset(const std::string&, std::size_t) const;
+
+std::vector<std::string> Hdf5Reader::names_in(const std::string& group) const {
+  std::vector<std::string> names;
+  const auto add = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
+    static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+    return 0;
+  };
+  if (H5Literate_by_name(file_, group.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names, H5P_DEFAULT) < 0) {
+    fail(group, "no such group");
+  }
+  return names;
+}
+
+}  // namespace repose

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace repose {
+
+/// Reads one HDF5 file, links into other files included. Every call throws InputError, one line with the file and the
+/// object, where something is missing, damaged or of another type.
+class Hdf5Reader {
+ public:
+  explicit Hdf5Reader(std::string path);
+  ~Hdf5Reader();
+  Hdf5Reader(const Hdf5Reader&) = delete;
+  Hdf5Reader& operator=(const Hdf5Reader&) = delete;
+
+  const std::string& path() const { return path_; }
+  bool has(const std::string& name) const;
+  std::string text(const std::string& object, const std::string& attribute) const;
+  double number(const std::string& object, const std::string& attribute) const;
+  std::int64_t integer(const std::string& object, const std::string& attribute) const;
+
+  /// All values of a dataset of shape (n) or (n, columns), row by row.
+  template <class T>
+  std::vector<T> dataset(const std::string& name, std::size_t columns = 1) const;
+
+  /// Names of the objects in a group, ascending.
+  std::vector<std::string> names_in(const std::string& group) const;
+
+ private:
+  [[noreturn]] void fail(const std::string& object, const std::string& what) const;
+
+  std::string path_;
+  std::int64_t file_ = -1;
+};
+
+}  // namespace repose

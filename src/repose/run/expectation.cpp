@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/run/expectation.hpp"
+
+#include "repose/run/setup.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace repose {
+
+double expected_end(const Scene& scene) {
+  if (scene.stop.time && !scene.stop.at_rest) return *scene.stop.time;
+  double end = 100.0 * std::sqrt(scene.grains.diameter / std::max(scene.gravity, 1e-30));
+  if (scene.source.kind == "pour") {
+    end = static_cast<double>(scene.source.count) / scene.source.rate +
+          std::sqrt(2.0 * scene.source.height / scene.gravity) +
+          50.0 * std::sqrt(scene.grains.diameter / scene.gravity);
+  }
+  return scene.stop.time ? std::min(end, *scene.stop.time) : end;
+}
+
+double expected_work(const Scene& scene, double time) {
+  double work = static_cast<double>(moving_count(initial_grains(scene))) * time;
+  if (scene.source.kind == "pour") {
+    const double pouring = static_cast<double>(scene.source.count) / scene.source.rate;
+    const double during = std::min(time, pouring);
+    work += 0.5 * scene.source.rate * during * during + static_cast<double>(scene.source.count) * (time - during);
+  }
+  return work / scene.time_step();
+}
+
+}  // namespace repose

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/scene/scene.hpp"
+
+namespace repose {
+
+/// Time [T] by which a run should be over: stop.time, or else the end of the pouring and some time to settle.
+double expected_end(const Scene& scene);
+
+/// Moving grain-steps up to a time, for grains that are poured at a constant rate.
+double expected_work(const Scene& scene, double time);
+
+}  // namespace repose

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/run/folders.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace fs = std::filesystem;
+
+namespace repose {
+
+bool is_there(const fs::path& path) {
+  std::error_code error;
+  return fs::exists(path, error);
+}
+
+fs::path existing_ancestor(fs::path path) {
+  path = fs::absolute(path);
+  while (!is_there(path) && path.has_relative_path()) path = path.parent_path();
+  return path;
+}
+
+std::vector<std::string> folder_problems(const std::string& path) {
+  std::error_code error;
+  const bool there = fs::exists(path, error);
+  if (error) return {fmt::format("{}: cannot write a run here: {}", path, error.message())};
+  if (there) {
+    if (!fs::is_directory(path)) return {fmt::format("{}: cannot write a run here: is a file", path)};
+    if (::access(path.c_str(), W_OK | X_OK | R_OK) != 0) {
+      return {fmt::format("{}: cannot write a run here: {}", path, std::strerror(errno))};
+    }
+    return {};
+  }
+  const auto parent = existing_ancestor(path);
+  if (!fs::is_directory(parent)) {
+    return {fmt::format("{}: cannot write a run here: {} is a file", path, parent.string())};
+  }
+  if (::access(parent.c_str(), W_OK | X_OK) != 0) {
+    return {fmt::format("{}: cannot write a run here: {}: {}", path, parent.string(), std::strerror(errno))};
+  }
+  return {};
+}
+
+}  // namespace repose

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace repose {
+
+bool is_there(const std::filesystem::path& path);
+
+/// The closest existing folder at or above a path.
+std::filesystem::path existing_ancestor(std::filesystem::path path);
+
+/// Why no output can be written into a folder of this name, which need not exist yet; one line each.
+std::vector<std::string> folder_problems(const std::string& path);
+
+}  // namespace repose

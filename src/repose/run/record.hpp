@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/analysis/base_profile.hpp"
+#include "repose/core/contacts.hpp"
+#include "repose/core/grains.hpp"
+#include "repose/core/track.hpp"
+#include "repose/scene/scene.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace repose {
+
+/// One row of the time series.
+struct SeriesRow {
+  double time = 0.0;                      ///< [T]
+  std::int64_t grains = 0;                ///< moving grains present
+  std::int64_t contacts = 0;              ///< above the force threshold of the analysis
+  double kinetic_energy_per_grain = 0.0;  ///< [M L^2/T^2]
+  double force_residual = 0.0;            ///< see analysis/force_network.hpp
+  double max_overlap = 0.0;               ///< over the mean diameter of the pair
+};
+
+enum class Status { running, finished, interrupted, failed };
+std::string status_text(Status status);
+/// Throws std::out_of_range for an unknown word.
+Status status_of(const std::string& text);
+
+/// How a run went.
+struct RunFacts {
+  Status status = Status::running;
+  std::string message;  ///< why it stopped
+  double time = 0.0;    ///< [T]
+  double time_step = 0.0;
+  std::int64_t steps = 0;
+  std::int64_t threads = 1;
+  double wall_seconds = 0.0;
+  double grain_steps = 0.0;  ///< moving grains times steps
+  std::int64_t released = 0;
+  std::int64_t lost = 0;
+  double support_force = 0.0;  ///< [M L/T^2] downward force on fixed grains (mean over the window) and planes (now)
+};
+
+/// What a run leaves behind: all that the analysis knows of it, in memory or read back from a run folder.
+struct Record {
+  Scene scene;
+  RunFacts facts;
+  Grains<2> grains;  ///< by ascending id, positions brought into the periodic box
+  Contacts<2> contacts;
+  std::vector<SeriesRow> series;
+  BaseProfile base;
+  Track track;
+};
+
+}  // namespace repose

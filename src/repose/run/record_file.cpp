@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/run/record_file.hpp"
+
+#include "repose/core/errors.hpp"
+#include "repose/core/version.hpp"
+#include "repose/io/hdf5_file.hpp"
+#include "repose/io/hdf5_reader.hpp"
+#include "repose/io/state.hpp"
+#include "repose/run/setup.hpp"
+#include "repose/scene/read.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+namespace repose {
+
+namespace {
+
+constexpr std::int64_t format_version = 2;
+
+void write_header(Hdf5File& file, const Scene& scene, const RunFacts& facts) {
+  file.attribute("/", "format", std::string("repose-run"));
+  file.attribute("/", "format_version", format_version);
+  file.attribute("/", "repose_version", std::string(version));
+  file.attribute("/", "title", scene.title);
+  file.attribute("/", "method", scene.method.kind);
+  file.attribute("/", "units", scene.units);
+  file.attribute("/", "dimension", std::int64_t{2});
+  file.attribute("/", "seed", scene.seed);
+  file.attribute("/", "time", facts.time);
+  file.attribute("/", "time_step", facts.time_step);
+  file.attribute("/", "steps", facts.steps);
+  file.attribute("/", "status", status_text(facts.status));
+  file.attribute("/", "message", facts.message);
+  file.attribute("/", "threads", facts.threads);
+  file.attribute("/", "wall_seconds", facts.wall_seconds);
+  file.attribute("/", "grain_steps", facts.grain_steps);
+  file.attribute("/", "released", facts.released);
+  file.attribute("/", "lost", facts.lost);
+  file.attribute("/", "support_force", facts.support_force);
+  file.attribute("/", "gravity", std::vector<double>{0.0, -scene.gravity});
+  file.attribute("/", "grain_diameter", scene.grains.diameter);
+  file.attribute("/", "grain_weight", scene.grain_weight());
+  file.attribute("/", "periodic", std::int64_t{scene.box.x == "periodic" ? 1 : 0});
+  file.attribute("/", "x_min", -scene.box.half_width);
+  file.attribute("/", "x_max", scene.box.half_width);
+}
+
+RunFacts read_facts(const Hdf5Reader& file) {
+  RunFacts facts;
+  try {
+    facts.status = status_of(file.text("/", "status"));
+  } catch (const std::out_of_range& error) {
+    throw InputError(fmt::format("{}: {}", file.path(), error.what()));
+  }
+  facts.message = file.text("/", "message");
+  facts.time = file.number("/", "time");
+  facts.time_step = file.number("/", "time_step");
+  facts.steps = file.integer("/", "steps");
+  facts.threads = file.integer("/", "threads");
+  facts.wall_seconds = file.number("/", "wall_seconds");
+  facts.grain_steps = file.number("/", "grain_steps");
+  facts.released = file.integer("/", "released");
+  facts.lost = file.integer("/", "lost");
+  facts.support_force = file.number("/", "support_force");
+  return facts;
+}
+
+void write_planes(Hdf5File& file, const Scene& scene) {
+  const auto planes = make_planes(scene);
+  if (planes.empty()) return;
+  std::vector<double> point;
+  std::vector<double> normal;
+  for (const auto& plane : planes) {
+    for (int k = 0; k < 2; ++k) {
+      point.push_back(plane.point[k]);
+      normal.push_back(plane.normal[k]);
+    }
+  }
+  file.group("planes");
+  file.dataset("planes/point", point, 2, "L", "a point of the plane");
+  file.dataset("planes/normal", normal, 2, "", "unit normal, towards the grains");
+}
+
+void write_series(Hdf5File& file, const std::vector<SeriesRow>& rows) {
+  std::vector<double> time;
+  std::vector<std::int64_t> grains;
+  std::vector<std::int64_t> contacts;
+  std::vector<double> energy;
+  std::vector<double> residual;
+  std::vector<double> overlap;
+  for (const auto& row : rows) {
+    time.push_back(row.time);
+    grains.push_back(row.grains);
+    contacts.push_back(row.contacts);
+    energy.push_back(row.kinetic_energy_per_grain);
+    residual.push_back(row.force_residual);
+    overlap.push_back(row.max_overlap);
+  }
+  file.group("series");
+  file.dataset("series/time", time, 1, "T", "time");
+  file.dataset("series/grains", grains, 1, "", "moving grains present");
+  file.dataset("series/contacts", contacts, 1, "", "contacts above the force threshold");
+  file.dataset("series/kinetic_energy_per_grain", energy, 1, "M L^2/T^2", "translation and rotation");
+  file.dataset("series/force_residual", residual, 1, "grain weights", "mean net force on a grain over its weight");
+  file.dataset("series/max_overlap", overlap, 1, "", "deepest overlap over the mean diameter of the pair");
+}
+
+/// Throws InputError unless every column has as many values as the first.
+void check_lengths(const Hdf5Reader& file, const std::string& group, std::initializer_list<std::size_t> lengths) {
+  for (const auto length : lengths) {
+    if (length != *lengths.begin()) {
+      throw InputError(fmt::format("{}: {}: the datasets differ in length", file.path(), group));
+    }
+  }
+}
+
+std::vector<SeriesRow> read_series(const Hdf5Reader& file) {
+  const auto time = file.dataset<double>("series/time");
+  const auto grains = file.dataset<std::int64_t>("series/grains");
+  const auto contacts = file.dataset<std::int64_t>("series/contacts");
+  const auto energy = file.dataset<double>("series/kinetic_energy_per_grain");
+  const auto residual = file.dataset<double>("series/force_residual");
+  const auto overlap = file.dataset<double>("series/max_overlap");
+  check_lengths(file, "series",
+                {time.size(), grains.size(), contacts.size(), energy.size(), residual.size(), overlap.size()});
+  std::vector<SeriesRow> rows;
+  for (std::size_t k = 0; k < time.size(); ++k) {
+    rows.push_back({time[k], grains[k], contacts[k], energy[k], residual[k], overlap[k]});
+  }
+  return rows;
+}
+
+void write_base(Hdf5File& file, const BaseProfile& base) {
+  if (base.x.empty()) return;
+  file.group("base");
+  file.attribute("base", "window_start", base.window_start);
+  file.attribute("base", "window_end", base.window_end);
+  file.dataset("base/id", base.id, 1, "", "grain id");
+  file.dataset("base/x", base.x, 1, "L", "centre");
+  file.dataset("base/normal", base.normal, 1, "grain weights", "force of the heap, positive downward");
+  file.dataset("base/shear", base.shear, 1, "grain weights", "force of the heap, positive to the right");
+}
+
+Track read_track(const Hdf5Reader& file) {
+  Track track;
+  if (!file.has("track")) return track;
+  for (const auto& name : file.names_in("track")) {
+    const auto group = "track/" + name + "/";
+    if (!file.has("track/" + name)) throw InputError(fmt::format("{}: track/{}.h5 is missing", file.path(), name));
+    const auto time = file.dataset<double>(group + "time");
+    const auto offset = file.dataset<std::int64_t>(group + "offset");
+    const auto id = file.dataset<std::int64_t>(group + "id");
+    const auto position = file.dataset<float>(group + "position", 2);
+    const auto radius = file.dataset<float>(group + "radius");
+    const auto energy = file.dataset<float>(group + "kinetic_energy");
+    const auto in_heap = file.dataset<std::uint8_t>(group + "in_heap");
+    check_lengths(file, group, {id.size(), position.size() / 2, radius.size(), energy.size(), in_heap.size()});
+    const bool sound = offset.size() == time.size() + 1 && offset.front() == 0 &&
+                       offset.back() == static_cast<std::int64_t>(id.size()) &&
+                       std::is_sorted(offset.begin(), offset.end());
+    if (!sound) throw InputError(fmt::format("{}: {}: wrong offsets", file.path(), group));
+    for (std::size_t m = 0; m < time.size(); ++m) {
+      TrackMoment moment{time[m], {}};
+      for (auto k = static_cast<std::size_t>(offset[m]); k < static_cast<std::size_t>(offset[m + 1]); ++k) {
+        moment.grains.push_back({id[k], position[2 * k], position[2 * k + 1], radius[k], energy[k], in_heap[k] != 0});
+      }
+      track.push_back(std::move(moment));
+    }
+  }
+  return track;
+}
+
+/// A damaged file may name grains that are not there; nothing behind this point looks again.
+void check_partners(const Hdf5Reader& file, const Record& record) {
+  const auto& id = record.grains.id;
+  const auto planes = static_cast<std::int64_t>(make_planes(record.scene).size());
+  const auto known = [&](std::int64_t k) { return std::binary_search(id.begin(), id.end(), k); };
+  const bool sound =
+      std::is_sorted(id.begin(), id.end()) &&
+      std::all_of(record.contacts.list.begin(), record.contacts.list.end(), [&](const auto& contact) {
+        return known(contact.first) && (contact.second < 0 ? contact.second >= -planes : known(contact.second));
+      });
+  if (!sound) throw InputError(fmt::format("{}: contacts: names a grain or plane that is not there", file.path()));
+}
+
+}  // namespace
+
+void write_track_segment(const std::string& path, const Track& track, std::size_t first) {
+  std::vector<double> time;
+  std::vector<std::int64_t> offset{0};
+  std::vector<std::int64_t> id;
+  std::vector<float> position;
+  std::vector<float> radius;
+  std::vector<float> energy;
+  std::vector<std::uint8_t> in_heap;
+  for (auto m = first; m < track.size(); ++m) {
+    for (const auto& grain : track[m].grains) {
+      id.push_back(grain.id);
+      position.push_back(grain.x);
+      position.push_back(grain.y);
+      radius.push_back(grain.radius);
+      energy.push_back(grain.kinetic_energy);
+      in_heap.push_back(grain.in_heap ? 1 : 0);
+    }
+    time.push_back(track[m].time);
+    offset.push_back(static_cast<std::int64_t>(id.size()));
+  }
+  Hdf5File file(path);
+  file.dataset("time", time, 1, "T", "of each moment");
+  file.dataset("offset", offset, 1, "", "grains of moment m are rows offset[m] to offset[m + 1]");
+  file.dataset("id", id, 1, "", "stable id, ascending within a moment");
+  file.dataset("position", position, 2, "L", "centre");
+  file.dataset("radius", radius, 1, "L", "radius");
+  file.dataset("kinetic_energy", energy, 1, "M L^2/T^2", "translation and rotation");
+  file.dataset("in_heap", in_heap, 1, "", "1: touches something");
+  file.commit();
+}
+
+void write_record(const std::string& path, const Record& record, const std::vector<std::string>& frames,
+                  const std::vector<std::string>& segments) {
+  Hdf5File file(path);
+  write_header(file, record.scene, record.facts);
+  write_grains(file, record.grains);
+  write_contacts(file, record.contacts);
+  write_planes(file, record.scene);
+  write_series(file, record.series);
+  write_base(file, record.base);
+  file.external_link("analysis", "analysis.h5", "/");
+  const auto link = [&](const std::string& group, const std::vector<std::string>& names) {
+    if (names.empty()) return;
+    file.group(group);
+    for (const auto& name : names) {
+      file.external_link(fmt::format("{}/{}", group, name), fmt::format("{}/{}.h5", group, name), "/");
+    }
+  };
+  link("frames", frames);
+  link("track", segments);
+  file.commit();
+}
+
+BaseProfile read_base(const Hdf5Reader& file) {
+  BaseProfile base;
+  if (!file.has("base")) return base;
+  base.window_start = file.number("base", "window_start");
+  base.window_end = file.number("base", "window_end");
+  base.id = file.dataset<std::int64_t>("base/id");
+  base.x = file.dataset<double>("base/x");
+  base.normal = file.dataset<double>("base/normal");
+  base.shear = file.dataset<double>("base/shear");
+  check_lengths(file, "base", {base.id.size(), base.x.size(), base.normal.size(), base.shear.size()});
+  return base;
+}
+
+Record read_record(const std::string& folder) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error)) throw InputError(fmt::format("{}: no such folder", folder));
+  for (const auto* name : {"scene.toml", "run.h5"}) {
+    if (!std::filesystem::exists(std::filesystem::path(folder) / name, error)) {
+      throw InputError(fmt::format("{}: holds no run: no {}", folder, name));
+    }
+  }
+  Record record;
+  record.scene = read_scene(folder + "/scene.toml");
+  const Hdf5Reader file(folder + "/run.h5");
+  if (file.text("/", "format") != "repose-run" || file.integer("/", "format_version") != format_version) {
+    throw InputError(fmt::format("{}: not a run of this version of Repose", file.path()));
+  }
+  record.facts = read_facts(file);
+  record.grains = read_grains<2>(file);
+  record.contacts = read_contacts<2>(file);
+  check_partners(file, record);
+  record.series = read_series(file);
+  record.base = read_base(file);
+  record.track = read_track(file);
+  return record;
+}
+
+}  // namespace repose

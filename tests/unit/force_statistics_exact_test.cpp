@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/analysis/force_statistics.hpp"
+#include "repose/core/random.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace repose {
+namespace {
+
+Contact<2> contact(double force, double normal_deg, bool sliding = false) {
+  Contact<2> c;
+  const double angle = normal_deg * std::numbers::pi / 180.0;
+  c.normal = {{std::cos(angle), std::sin(angle)}};
+  c.normal_force = force;
+  c.sliding = sliding;
+  return c;
+}
+
+Contacts<2> exponential_forces(std::size_t count) {
+  Contacts<2> contacts;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double share = uniform(5, Purpose::grain_size, k);
+    const double angle = 360.0 * uniform(6, Purpose::grain_size, k);
+    contacts.list.push_back(contact(-3.0 * std::log(1.0 - share), angle));
+  }
+  return contacts;
+}
+
+double integral(const std::vector<double>& density, double bin_width) {
+  double sum = 0.0;
+  for (const double value : density) sum += value * bin_width;
+  return sum;
+}
+
+// Four contacts count, of mean force 1: f = 0.25, 0.25, 0.75, 2.75 in the bins 2, 2, 7, 27. One slides, one is above
+// the mean; the fifth slides as well but carries no more than the threshold. Tolerance: rounding of sums of four.
+TEST(ForceStatisticsExact, HandMade) {
+  Contacts<2> contacts;
+  contacts.list = {contact(0.25, 180.0), contact(2.75, -85.0), contact(0.25, 95.0, true), contact(0.75, 33.0),
+                   contact(0.125, 33.0, true)};
+  // An axis a trace below the horizontal is horizontal, not at the end of the last bin.
+  contacts.list[0].normal = {{1.0, -1e-18}};
+  const auto statistics = read_force_statistics(contacts, 0.125);
+  ASSERT_TRUE(statistics);
+  EXPECT_NEAR(statistics->mean, 1.0, 1e-15);
+  EXPECT_EQ(statistics->bin_width, 0.1);
+  ASSERT_EQ(statistics->density.size(), 28U);
+  ASSERT_EQ(statistics->f.size(), 28U);
+  ASSERT_EQ(statistics->error.size(), 28U);
+  for (std::size_t k = 0; k < 28; ++k) {
+    const double count = k == 2 ? 2.0 : k == 7 || k == 27 ? 1.0 : 0.0;
+    EXPECT_NEAR(statistics->f[k], 0.1 * static_cast<double>(k) + 0.05, 1e-12);
+    EXPECT_NEAR(statistics->density[k], count / 0.4, 1e-12) << k;
+    EXPECT_NEAR(statistics->error[k], std::sqrt(count) / 0.4, 1e-12) << k;
+  }
+  ASSERT_EQ(statistics->direction_deg.size(), 18U);
+  for (std::size_t k = 0; k < 18; ++k) {
+    const double count = k == 9 ? 2.0 : k == 0 || k == 3 ? 1.0 : 0.0;  // the axes of -85 and 95 degrees are one
+    EXPECT_EQ(statistics->direction_deg[k], 10.0 * static_cast<double>(k) + 5.0);
+    EXPECT_NEAR(statistics->direction_all[k], count / 40.0, 1e-15) << k;
+    EXPECT_NEAR(statistics->direction_strong[k], k == 9 ? 0.1 : 0.0, 1e-15) << k;
+  }
+  EXPECT_NEAR(statistics->sliding_fraction, 0.25, 1e-15);
+  EXPECT_NEAR(statistics->strong_fraction, 0.25, 1e-15);
+}
+
+// Rounding of sums of 1e5 terms stays far below 1e-12 as each is a whole number over a common one.
+TEST(ForceStatisticsExact, IntegralIsOne) {
+  const auto statistics = read_force_statistics(exponential_forces(100000), 0.6);
+  ASSERT_TRUE(statistics);
+  EXPECT_NEAR(integral(statistics->density, statistics->bin_width), 1.0, 1e-12);
+  EXPECT_NEAR(integral(statistics->direction_all, 10.0), 1.0, 1e-12);
+  EXPECT_NEAR(integral(statistics->direction_strong, 10.0), 1.0, 1e-12);
+}
+
+// Exponential forces: P(f) = exp(-f), averaged over a bin. Its B bins that expect 100 counts or more have a chi-squared
+// by the errors given of B within 4 sqrt(2 B): too small errors fail it as well as too large ones. The mean is within 4
+// standard errors; so is the share above it, of binomial error, and the density of each direction, which is uniform
+// (4.5 standard errors: eighteen of them).
+TEST(ForceStatisticsExact, ExponentialForces) {
+  constexpr std::size_t count = 100000;
+  const auto statistics = read_force_statistics(exponential_forces(count), 0.0);
+  ASSERT_TRUE(statistics);
+  const auto n = static_cast<double>(count);
+  EXPECT_NEAR(statistics->mean, 3.0, 4.0 * 3.0 / std::sqrt(n));
+  double chi_squared = 0.0;
+  double bins = 0.0;
+  for (std::size_t k = 0; k < statistics->f.size(); ++k) {
+    const double expected =
+        (std::exp(-statistics->f[k] + 0.05) - std::exp(-statistics->f[k] - 0.05)) / statistics->bin_width;
+    if (expected * n * statistics->bin_width < 100.0) break;
+    chi_squared += std::pow((statistics->density[k] - expected) / statistics->error[k], 2);
+    bins += 1.0;
+  }
+  EXPECT_GT(bins, 40.0);
+  EXPECT_NEAR(chi_squared, bins, 4.0 * std::sqrt(2.0 * bins));
+  const double strong = std::exp(-1.0);
+  EXPECT_NEAR(statistics->strong_fraction, strong, 4.0 * std::sqrt(strong * (1.0 - strong) / n));
+  for (const double density : statistics->direction_all) {
+    EXPECT_NEAR(density, 1.0 / 180.0, 4.5 * std::sqrt(17.0 / n) / 180.0);
+  }
+}
+
+// A run that failed may leave forces that are not numbers: they do not count.
+TEST(ForceStatisticsExact, ForcesThatAreNotNumbers) {
+  Contacts<2> contacts;
+  contacts.list = {contact(std::numeric_limits<double>::infinity(), 0.0)};
+  EXPECT_FALSE(read_force_statistics(contacts, 0.0));
+  contacts.list.push_back(contact(std::numeric_limits<double>::quiet_NaN(), 0.0));
+  contacts.list.push_back(contact(2.0, 0.0));
+  const auto statistics = read_force_statistics(contacts, 0.0);
+  ASSERT_TRUE(statistics);
+  EXPECT_EQ(statistics->mean, 2.0);
+}
+
+// None of ten equal forces is above their mean, whatever the rounding of a sum of tenths.
+TEST(ForceStatisticsExact, EqualForcesAreNotStrong) {
+  Contacts<2> contacts;
+  for (int k = 0; k < 10; ++k) contacts.list.push_back(contact(1.0, 45.0));
+  const auto statistics = read_force_statistics(contacts, 0.0);
+  ASSERT_TRUE(statistics);
+  EXPECT_EQ(statistics->mean, 1.0);
+  EXPECT_EQ(statistics->strong_fraction, 0.0);
+}
+
+}  // namespace
+}  // namespace repose
