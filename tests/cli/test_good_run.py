@@ -26,7 +26,7 @@ def untimed(folder):
 def test_files(heap):
     found = everything_in(heap)
     frames = [name for name in found if name.startswith("frames/")]
-    assert set(found) - set(frames) == {"frames", "run.h5", "scene.toml", "summary.json"}
+    assert set(found) - set(frames) == {"analysis.h5", "frames", "run.h5", "scene.toml", "summary.json"}
     assert frames == [f"frames/{k:06}.h5" for k in range(len(frames))] and len(frames) >= 3
     with h5py.File(heap / "run.h5") as file:
         assert [f"frames/{name}.h5" for name in file["frames"]] == frames
@@ -36,7 +36,7 @@ def test_files(heap):
 def test_header(heap):
     with h5py.File(heap / "run.h5") as file:
         has = dict(file.attrs)
-    assert has["format_version"] == 1 and has["dimension"] == 2 and has["seed"] == 1 and has["periodic"] == 0
+    assert has["format_version"] == 2 and has["dimension"] == 2 and has["seed"] == 1 and has["periodic"] == 0
     assert has["grain_diameter"] == 1.0 and has["grain_weight"] == 1.0 and list(has["gravity"]) == [0.0, -1.0]
     assert math.isclose(has["time"], has["steps"] * has["time_step"], rel_tol=1e-12)
     for name, value in (("format", "repose-run"), ("status", "finished"), ("method", "soft"), ("units", "reduced")):
@@ -116,7 +116,7 @@ def test_series_and_frames(heap):
         times = [file[f"frames/{name}"].attrs["time"] for name in sorted(file["frames"])]
         assert math.isclose(time[-1], file.attrs["time"])
     assert np.allclose(np.diff(times), 10.0, atol=0.5) and math.isclose(times[0], 10.0, abs_tol=0.5)
-    assert (found["/surface/height"][found["/surface/used"] == 1] > 0).all()
+    assert (found["/analysis/surface/height"][found["/analysis/surface/used"] == 1] > 0).all()
 
 
 @pytest.mark.parametrize("options", [[], ["--threads", "2"], ["--threads", "3"]])
