@@ -12,7 +12,19 @@ STOP = "[stop]\ntime = 1\n"
 
 
 # text, and what the message must say
+LATTICE = "[base]\nkind = 'row'\nhalf_width = 20\n[source]\nkind = 'lattice'\nrows = 5\n"
+
 WRONG_SCENES = {
+    "lattice without rows": (LATTICE.replace("rows = 5\n", "") + STOP, "scene.toml:4: source.rows: missing"),
+    "lattice without a base": ("[source]\nkind = 'lattice'\nrows = 5\n" + STOP, "scene.toml:2: source.kind = \"lattice\": needs a base"),
+    "lattice wider than the base": (LATTICE.replace("5", "50") + STOP, "scene.toml:6: source.rows = 50: the pile must lie within"),
+    "lattice too large": (LATTICE.replace("5", "500000") + STOP, "source.rows = 500000: must be at most 4000"),
+    "lattice on a dense base": (LATTICE.replace("[source]", "spacing = 0.8\n[source]") + STOP,
+                                "scene.toml:4: base.spacing = 0.8: must be 1 to 1.5 diameters"),
+    "lattice of many sizes": (LATTICE + "[grains]\npolydispersity = 0.1\n" + STOP, "grains.polydispersity = 0.1: must be 0"),
+    "count of a lattice": (LATTICE + "count = 5\n" + STOP, "scene.toml:7: source.count: unknown key; known here: kind, rows, x"),
+    "negative track": (GRAIN + STOP + "[output]\ntrack = -1\n", "output.track = -1: must be >= 0"),
+    "no grains in an avalanche": (GRAIN + STOP + "[analysis]\navalanche = 0\n", "analysis.avalanche = 0: must be a whole number"),
     "unknown key at the top": ("gravitation = 1\n" + GRAIN + STOP, "scene.toml:1: gravitation: unknown key; known here:"),
     "unknown table": ("[sauce]\nkind = 'pour'\n" + GRAIN + STOP, "scene.toml:1: sauce: unknown key; known here:"),
     "unknown nested key": (

@@ -33,10 +33,10 @@ inline Contact<2> contact_between(const Grains<2>& grains, std::size_t first, st
   return contact;
 }
 
-/// The equilateral lattice pile of Liffman et al. (1992): `rows` discs on a plane (number 0, through the lowest points of
-/// the discs), one less in each row above, contacts along the two diagonals only. Every disc hands half of its weight to
-/// each diagonal below it, so that a diagonal with n discs above a contact (the upper partner included) carries
-/// n m g / (2 sin 60 deg).
+/// The equilateral lattice pile of Liffman et al. (1992): `rows` discs on a plane (number 0, through the lowest points
+/// of the discs), one less in each row above, contacts along the two diagonals only. Every disc hands half of its
+/// weight to each diagonal below it, so that a diagonal with n discs above a contact (the upper partner included)
+/// carries n m g / (2 sin 60 deg).
 struct LatticePile {
   Grains<2> grains;
   Contacts<2> contacts;

@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/analysis/base_profile.hpp"
+#include "repose/analysis/core_region.hpp"
 #include "repose/analysis/force_network.hpp"
 #include "repose/analysis/heap.hpp"
+#include "repose/analysis/statistics.hpp"
+#include "support/packing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,15 +14,6 @@
 
 namespace repose {
 namespace {
-
-Grain<2> disc(double x, double y, bool fixed = false) {
-  Grain<2> grain;
-  grain.position = {{x, y}};
-  grain.radius = 0.5;
-  grain.mass = 1.0;
-  grain.inverse_mass = fixed ? 0.0 : 1.0;
-  return grain;
-}
 
 /// Small discs on a fine lattice that fill the triangle with these slopes under the apex at `apex_x`.
 Grains<2> triangle(double left_deg, double right_deg, double height, double apex_x) {
@@ -30,7 +24,7 @@ Grains<2> triangle(double left_deg, double right_deg, double height, double apex
     const double left = apex_x - (height - y) / std::tan(left_deg * std::numbers::pi / 180.0);
     const double right = apex_x + (height - y) / std::tan(right_deg * std::numbers::pi / 180.0);
     for (double x = std::ceil(left / step) * step; x <= right; x += step) {
-      auto grain = disc(x, y);
+      auto grain = unit_disc(x, y);
       grain.radius = 0.5 * step;
       grains.add(grain, id++);
     }
@@ -65,7 +59,7 @@ TEST(Heap, SurfaceEndsAtAGapAndUsesTenToNinetyPercent) {
   Grains<2> grains;
   std::int64_t id = 0;
   for (const double x : {-9.0, -5.0, -3.0, -1.0, 1.0, 3.0, 5.0})
-    grains.add(disc(x, 10.0 - std::fabs(x) * 2.0 + 1.0), id++);
+    grains.add(unit_disc(x, 10.0 - std::fabs(x) * 2.0 + 1.0), id++);
   const auto shape = read_heap(grains, std::vector<bool>(grains.size(), true), 0.0, 2.0);
   ASSERT_EQ(shape.surface.size(), 6U);  // x = -9 lies beyond the empty bin at -7
   EXPECT_EQ(shape.surface.front().x, -5.0);
@@ -112,6 +106,112 @@ TEST(BaseDipIndex, TriangleAndPlateau) {
   EXPECT_FALSE(base_dip(profile([](double) { return 0.0; }, 40.0, 0.0)));
 }
 
+// Over the true half-width: (1 - 0.30)/(1 - 0.075) = 0.757, the 0.76 of a triangle. Base grains half a diameter apart
+// sample the means to 0.3 %.
+TEST(BaseDipIndex, TriangleOverItsTrueHalfWidth) {
+  const auto index = dip_index(profile([](double p) { return 1.0 - p; }, 40.0, 3.0), 3.0, 40.0);
+  ASSERT_TRUE(index);
+  EXPECT_NEAR(*index, 0.757, 0.005);
+  EXPECT_FALSE(dip_index(profile([](double) { return 0.0; }, 40.0, 0.0), 0.0, 40.0));
+  EXPECT_FALSE(dip_index({}, 0.0, 40.0));
+}
+
+// Rings of 0.15: the central one holds 1, the third (0.30-0.45) 1.5, all others 1.
+TEST(MaxOverCentre, RingOfHigherLoad) {
+  const auto ring = profile([](double p) { return p > 0.3 && p < 0.45 ? 1.5 : 1.0; }, 40.0, 0.0);
+  const auto ratio = max_over_centre(ring, 0.0, 40.0);
+  ASSERT_TRUE(ratio);
+  EXPECT_NEAR(*ratio, 1.5, 0.05);  // one of twelve base grains a side lies on the rim of the ring
+  EXPECT_NEAR(*max_over_centre(profile([](double p) { return 1.0 - p; }, 40.0, 0.0), 0.0, 40.0), 1.0, 1e-12);
+  EXPECT_FALSE(max_over_centre({}, 0.0, 1.0));
+}
+
+// Forces of 1 +- 0.5 in turn: the running mean over five is 1 +- 0.1, so that every one is 0.4 off.
+TEST(BaseScatter, AlternatingForces) {
+  auto base = profile([](double) { return 1.0; }, 1000.0, 0.0);
+  for (std::size_t k = 0; k < base.normal.size(); ++k) base.normal[k] = k % 2 == 0 ? 1.5 : 0.5;
+  const auto scatter = base_scatter(base, 0.0, 40.0);
+  ASSERT_TRUE(scatter);
+  EXPECT_NEAR(*scatter, 0.4, 0.01);
+  EXPECT_NEAR(*base_scatter(profile([](double) { return 3.0; }, 1000.0, 0.0), 0.0, 40.0), 0.0, 1e-12);
+  EXPECT_FALSE(base_scatter(profile([](double) { return 0.0; }, 40.0, 0.0), 0.0, 40.0));
+}
+
+TEST(BinnedProfile, MeansAndErrors) {
+  BaseProfile base;
+  base.x = {-2.6, -2.4, 0.0, 2.4, 2.6};
+  base.id = {0, 1, 2, 3, 4};
+  base.normal = {1.0, 2.0, 4.0, 6.0, 8.0};
+  base.shear = {0.0, -1.0, -3.0, -5.0, 0.0};
+  const auto bins = binned(base, 5.0);
+  EXPECT_EQ(bins.x, (std::vector<double>{-5.0, 0.0, 5.0}));
+  EXPECT_EQ(bins.count, (std::vector<std::int64_t>{1, 3, 1}));
+  EXPECT_DOUBLE_EQ(bins.normal[1], 4.0);
+  EXPECT_DOUBLE_EQ(bins.normal_error[1], 2.0 / std::sqrt(3.0));
+  EXPECT_DOUBLE_EQ(bins.shear[1], -3.0);
+  EXPECT_TRUE(std::isnan(bins.normal_error[0]));
+}
+
+TEST(Statistics, MeanDeviationAndError) {
+  const auto estimate = mean_of({1.0, std::nan(""), 2.0, 6.0});
+  EXPECT_EQ(estimate.count, 3U);
+  EXPECT_DOUBLE_EQ(estimate.mean, 3.0);
+  EXPECT_DOUBLE_EQ(estimate.deviation, std::sqrt(7.0));
+  EXPECT_DOUBLE_EQ(estimate.error, std::sqrt(7.0 / 3.0));
+  EXPECT_TRUE(std::isnan(mean_of({4.0}).error));
+  EXPECT_TRUE(std::isnan(mean_of({}).mean));
+}
+
+// For the mean itself the jackknife gives the usual standard error.
+TEST(Statistics, JackknifeOfTheMean) {
+  const std::vector<double> values = {1.0, 4.0, 2.0, 8.0, 5.0};
+  const auto estimate = jackknife(values.size(), [&](std::size_t without) {
+    std::vector<double> kept;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      if (k != without) kept.push_back(values[k]);
+    }
+    return mean_of(kept).mean;
+  });
+  EXPECT_DOUBLE_EQ(estimate.mean, 4.0);
+  EXPECT_NEAR(estimate.error, mean_of(values).error, 1e-14);
+}
+
+// A heap of slopes 1 with its apex at height 10: depths at right angles to the flank.
+TEST(Heap, DepthBelowTheSurface) {
+  HeapShape shape;
+  for (int k = -10; k <= 10; ++k) shape.surface.push_back({1.0 * k, 10.0 - std::abs(k), true});
+  shape.left = FlankLine{1.0, 10.0, 45.0};
+  shape.right = FlankLine{-1.0, 10.0, 45.0};
+  EXPECT_NEAR(depth_below_surface(shape, 5.0, 5.0), 0.0, 1e-12);
+  EXPECT_NEAR(depth_below_surface(shape, 5.0, 3.0), std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(depth_below_surface(shape, -4.5, 3.5), std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(depth_below_surface(shape, 5.0, 7.0), -std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(depth_below_surface(shape, 20.0, -1.0), std::sqrt(0.5), 1e-12);  // level beyond the last bin
+  shape.right.reset();
+  EXPECT_NEAR(depth_below_surface(shape, 5.0, 3.0), 2.0, 1e-12);
+}
+
+// A lattice pile of 30 rows: inside, the triangular packing and six contacts a grain (two diagonals with forces and the
+// horizontal ones, put in here), whatever the surface is like.
+TEST(CoreRegion, TriangularLattice) {
+  auto pile = lattice_pile(30);
+  for (std::size_t k = 0; k + 1 < pile.grains.size(); ++k) {
+    if (pile.grains.line[k].position[1] == pile.grains.line[k + 1].position[1]) {
+      pile.contacts.list.push_back(contact_between(pile.grains, k, k + 1, 0.5));
+    }
+  }
+  const std::vector<bool> in_heap(pile.grains.size(), true);
+  const auto heap = read_heap(pile.grains, in_heap, 0.0, 2.0);
+  const auto cells = voronoi(pile.grains, in_heap, {}, {});
+  const auto core = read_core(pile.grains, pile.contacts, heap, cells, 0.0, 4.0, 2.0, 0.2);
+  EXPECT_GT(core.grains, 50U);
+  EXPECT_NEAR(*core.solid_fraction, std::numbers::pi / std::sqrt(12.0), 1e-9);
+  EXPECT_NEAR(*core.coordination, 6.0, 1e-12);
+  const auto none = read_core(pile.grains, pile.contacts, heap, cells, 0.0, 100.0, 2.0, 0.2);
+  EXPECT_EQ(none.grains, 0U);
+  EXPECT_FALSE(none.solid_fraction || none.coordination);
+}
+
 TEST(RunningMean, ShortensAtTheEnds) {
   const auto means = running_mean({1.0, 2.0, 6.0, 3.0}, 3);
   EXPECT_EQ(means, (std::vector<double>{1.5, 3.0, 11.0 / 3.0, 4.5}));
@@ -129,7 +229,7 @@ Contact<2> contact(std::int64_t first, std::int64_t second, Vec<2> normal, doubl
 // Three discs in a row on a plane, the middle one pressed by its neighbours; a weak contact does not count.
 TEST(ForceNetwork, HandMade) {
   Grains<2> grains;
-  for (int k = 0; k < 4; ++k) grains.add(disc(k, 0.5), k);
+  for (int k = 0; k < 4; ++k) grains.add(unit_disc(k, 0.5), k);
   Contacts<2> contacts;
   contacts.list = {contact(0, 1, {{-1, 0}}, 1.0), contact(1, 2, {{-1, 0}}, 1.0), contact(2, 3, {{-1, 0}}, 0.1)};
   for (int k = 0; k < 3; ++k) contacts.list.push_back(contact(k, plane_partner(0), {{0, 1}}, 1.0));
@@ -146,9 +246,9 @@ TEST(ForceNetwork, HandMade) {
 
 TEST(ForceResidual, RestAndFreeFall) {
   Grains<2> grains;
-  grains.add(disc(0.0, 0.0, true), 0);
-  grains.add(disc(0.0, 1.0), 1);
-  grains.add(disc(5.0, 9.0), 2);
+  grains.add(unit_disc(0.0, 0.0, true), 0);
+  grains.add(unit_disc(0.0, 1.0), 1);
+  grains.add(unit_disc(5.0, 9.0), 2);
   Contacts<2> contacts;
   contacts.list = {contact(0, 1, {{0, -1}}, 1.0)};
   EXPECT_NEAR(force_residual(grains, contacts, Vec<2>{{0.0, -1.0}}), 0.5, 1e-15);  // one rests, one falls

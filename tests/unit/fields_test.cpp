@@ -22,7 +22,9 @@ std::vector<bool> all_of(const Grains<2>& grains) { return std::vector<bool>(gra
 Grains<2> scattered(int count, double width, double height) {
   Grains<2> grains;
   for (int k = 0; k < count; ++k) {
-    const auto draw = [&](std::uint32_t n) { return uniform(7, Purpose::grain_size, static_cast<std::uint64_t>(k), n); };
+    const auto draw = [&](std::uint32_t n) {
+      return uniform(7, Purpose::grain_size, static_cast<std::uint64_t>(k), n);
+    };
     auto grain = unit_disc((draw(0) - 0.5) * width, draw(1) * height);
     grain.radius = 0.2 + 0.4 * draw(2);
     grain.mass = 4.0 * grain.radius * grain.radius;
@@ -157,8 +159,9 @@ TEST(Fields, TotalsOfStressAndSupport) {
 }
 
 // What a horizontal cut carries is the weight above it less what the supports carry there: the balance of forces,
-// integrated over x. The fields are averages over rows: the mean over a row of the load above, R, is its mean at the two
-// edges less cell^2/12 R'' (here from the loads of the rows beside it), and terms of cell^4, below 0.1 % of the weight.
+// integrated over x. The fields are averages over rows: the mean over a row of the load above, R, is its mean at the
+// two edges less cell^2/12 R'' (here from the loads of the rows beside it), and terms of cell^4, below 0.1 % of the
+// weight.
 TEST(Fields, EveryCutCarriesTheWeightAboveIt) {
   const auto pile = lattice_pile(20);
   const auto fields = coarse_grained(pile.grains, pile.contacts, all_of(pile.grains), {}, 1.5);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/analysis/force_statistics.hpp"
+
 #include "repose/core/random.hpp"
 #include "support/packing.hpp"
 
@@ -72,8 +73,8 @@ TEST(ForceStatistics, HandMadeNetwork) {
   EXPECT_DOUBLE_EQ(statistics->direction_deg[9], 95.0);
 }
 
-// A sum of n exponentials over their mean: P(f) = exp(-f) up to 1/n. Bins of 0.1: the mean of exp(-f) over a bin differs
-// from the middle by 0.04 %. Tolerance: 5 standard errors of the count, for 30 bins a chance of 2e-5.
+// A sum of n exponentials over their mean: P(f) = exp(-f) up to 1/n. Bins of 0.1: the mean of exp(-f) over a bin
+// differs from the middle by 0.04 %. Tolerance: 5 standard errors of the count, for 30 bins a chance of 2e-5.
 TEST(ForceStatistics, ExponentialForces) {
   constexpr std::uint64_t count = 40000;
   Contacts<2> contacts;

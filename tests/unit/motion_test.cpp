@@ -70,10 +70,10 @@ TEST(Motion, NothingMovesInAQuietPile) {
 // after one quiet interval, are another.
 TEST(Motion, PlantedAvalanchesAreFound) {
   auto track = quiet();
-  push_right(track, 4, 2, 3, 0.8F);   // between 4 and 6
-  push_right(track, 5, 3, 4, 0.8F);   // between 6 and 8
-  push_right(track, 7, 2, 6, 0.8F);   // between 10 and 12
-  push_right(track, 9, 5, 9, 0.45F);  // not far enough
+  push_right(track, 4, 2, 3, 0.8F);    // between 4 and 6
+  push_right(track, 5, 3, 4, 0.8F);    // between 6 and 8
+  push_right(track, 7, 2, 6, 0.8F);    // between 10 and 12
+  push_right(track, 9, 5, 9, 0.45F);   // not far enough
   push_right(track, 11, 1, 12, 0.8F);  // too few
   const auto motion = read_motion(track, {}, settings(2));
   ASSERT_EQ(motion.avalanches.size(), 2U);
@@ -160,7 +160,7 @@ TEST(Motion, GrainsThatLandOrLeaveDoNotCount) {
   track[15].grains.erase(track[15].grains.begin() + 3);
   const auto motion = read_motion(track, {}, settings(1));
   EXPECT_TRUE(motion.avalanches.empty());
-  EXPECT_EQ(motion.rows[9].grains, 210U);   // was in flight at the start
+  EXPECT_EQ(motion.rows[9].grains, 210U);  // was in flight at the start
   EXPECT_EQ(motion.rows[10].grains, 211U);
   EXPECT_EQ(motion.rows[14].grains, 210U);  // one is not there at the end
   EXPECT_EQ(motion.rows[15].grains, 210U);  // nor at the start

@@ -3,7 +3,6 @@
 #include "repose/analysis/voronoi.hpp"
 
 #include "repose/core/random.hpp"
-#include "support/packing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,156 +13,282 @@
 namespace repose {
 namespace {
 
-std::vector<bool> all_of(const Grains<2>& grains) { return std::vector<bool>(grains.size(), true); }
-
-double polygon_area(const std::vector<Vec<2>>& v) {
-  double twice = 0.0;
-  for (std::size_t k = 0; k < v.size(); ++k) {
-    const auto& a = v[k];
-    const auto& b = v[(k + 1) % v.size()];
-    twice += a[0] * b[1] - a[1] * b[0];
-  }
-  return 0.5 * twice;
+Grain<2> disc(double x, double y, double radius = 0.5, bool fixed = false) {
+  Grain<2> grain;
+  grain.position = {{x, y}};
+  grain.radius = radius;
+  grain.mass = 1.0;
+  grain.inverse_mass = fixed ? 0.0 : 1.0;
+  return grain;
 }
 
-/// Keeps the part of a convex polygon where dot(normal, p) <= limit.
-std::vector<Vec<2>> clipped(const std::vector<Vec<2>>& polygon, const Vec<2>& normal, double limit) {
-  std::vector<Vec<2>> kept;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const auto& a = polygon[k];
-    const auto& b = polygon[(k + 1) % polygon.size()];
-    const double over_a = dot(normal, a) - limit;
-    const double over_b = dot(normal, b) - limit;
-    if (over_a <= 0.0) kept.push_back(a);
-    if ((over_a < 0.0 && over_b > 0.0) || (over_a > 0.0 && over_b < 0.0)) {
-      kept.push_back(a + (b - a) * (over_a / (over_a - over_b)));
-    }
+std::vector<bool> all(const Grains<2>& grains) { return std::vector<bool>(grains.size(), true); }
+
+Box<2> periodic(double width) {
+  Box<2> box;
+  box.periodic = true;
+  box.x_min = 0.0;
+  box.x_max = width;
+  return box;
+}
+
+using Outline = std::vector<Vec<2>>;
+
+double area_of(const Outline& outline) {
+  double doubled = 0.0;
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    const auto& a = outline[k];
+    const auto& b = outline[(k + 1) % outline.size()];
+    doubled += a[0] * b[1] - a[1] * b[0];
+  }
+  return 0.5 * doubled;
+}
+
+/// The part of a convex outline with x . normal < limit.
+Outline clipped(const Outline& outline, const Vec<2>& normal, double limit) {
+  Outline kept;
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    const auto& a = outline[k];
+    const auto& b = outline[(k + 1) % outline.size()];
+    const double over_a = dot(a, normal) - limit;
+    const double over_b = dot(b, normal) - limit;
+    if (over_a < 0.0) kept.push_back(a);
+    if ((over_a < 0.0) != (over_b < 0.0)) kept.push_back(a + (b - a) * (over_a / (over_a - over_b)));
   }
   return kept;
 }
 
-/// The cell by its definition: the cut-off polygon, clipped by the radical plane of every other grain.
-double area_by_brute_force(const Grains<2>& grains, std::size_t k, const Box<2>& box, double largest) {
-  std::vector<Vec<2>> polygon;
-  for (int side = 0; side < 32; ++side) {
-    const double angle = 2.0 * std::numbers::pi * (side + 0.5) / 32.0;
-    const double distance = 1.5 * largest / std::cos(std::numbers::pi / 32.0);
-    polygon.push_back({{distance * std::cos(angle), distance * std::sin(angle)}});
+Outline cut_off_polygon(double largest) {
+  const double corner = 1.5 * largest / std::cos(std::numbers::pi / 32.0);
+  Outline outline;
+  for (int k = 0; k < 32; ++k) {
+    const double angle = 2.0 * std::numbers::pi * (k + 0.5) / 32.0;
+    outline.push_back({{corner * std::cos(angle), corner * std::sin(angle)}});
   }
-  const auto& self = grains.line[k];
-  for (std::size_t m = 0; m < grains.size(); ++m) {
-    if (m == k) continue;
-    const Vec<2> d = separation(grains.line[m].position, self.position, box);
-    const double power = dot(d, d) + self.radius * self.radius - grains.line[m].radius * grains.line[m].radius;
-    polygon = clipped(polygon, d, 0.5 * power);
-  }
-  return polygon_area(polygon);
+  return outline;
 }
 
-TEST(Voronoi, TriangularLattice) {
-  Grains<2> grains;
-  for (int row = -5; row <= 5; ++row) {
-    for (int column = -5; column <= 5; ++column) {
-      grains.add(unit_disc(column + 0.5 * (row & 1), row * std::sqrt(3.0) / 2.0),
-                 static_cast<std::int64_t>(grains.size()));
+/// Cell of grain k about its centre: the cut-off polygon clipped by every image of every other grain.
+Outline by_brute_force(const Grains<2>& grains, const std::vector<bool>& in_heap, const std::vector<Edge>& edges,
+                       const Box<2>& box, std::size_t k) {
+  double largest = 0.0;
+  for (std::size_t j = 0; j < grains.size(); ++j)
+    if (in_heap[j]) largest = std::max(largest, 2.0 * grains.line[j].radius);
+  const auto& own = grains.line[k];
+  auto outline = cut_off_polygon(largest);
+  const int images = box.periodic ? 8 : 0;
+  for (std::size_t j = 0; j < grains.size(); ++j) {
+    const auto& other = grains.line[j];
+    if (!in_heap[j] && !other.fixed()) continue;
+    for (int image = -images; image <= images; ++image) {
+      if (j == k && image == 0) continue;
+      Vec<2> offset = other.position - own.position;
+      if (image != 0) offset[0] += image * box.width();
+      outline =
+          clipped(outline, offset, 0.5 * (squared(offset) + own.radius * own.radius - other.radius * other.radius));
     }
   }
-  const auto cells = voronoi(grains, all_of(grains), {}, {});
-  ASSERT_EQ(cells.size(), grains.size());
-  const auto& middle = cells[5 * 11 + 5];
-  EXPECT_TRUE(middle.closed);
-  EXPECT_NEAR(middle.area, std::sqrt(3.0) / 2.0, 1e-9);
-  EXPECT_NEAR(middle.solid_fraction, std::numbers::pi / std::sqrt(12.0), 1e-9);
-  EXPECT_NEAR(polygon_area(middle.vertices), middle.area, 1e-9);
-  EXPECT_FALSE(cells.front().closed);
+  for (const auto& edge : edges) outline = clipped(outline, -edge.normal, dot(own.position - edge.point, edge.normal));
+  return outline;
 }
 
-TEST(Voronoi, SquareLattice) {
+/// Discs of unequal size around the points of a square lattice; those of one row in ten are fixed, some overlap.
+Grains<2> scattered(int columns, int rows, double spacing, std::uint64_t seed) {
   Grains<2> grains;
-  for (int row = 0; row < 5; ++row) {
-    for (int column = 0; column < 5; ++column) grains.add(unit_disc(column, row), 5 * row + column);
+  for (int k = 0; k < columns * rows; ++k) {
+    const auto index = static_cast<std::uint64_t>(k);
+    const auto random = [&](std::uint32_t draw) { return uniform(seed, Purpose::grain_size, index, draw); };
+    const double x = spacing * (k % columns + 0.1 + 0.8 * random(0));
+    const double y = spacing * (k / columns + 0.1 + 0.8 * random(1));
+    grains.add(disc(x, y, 0.3 + 0.2 * random(2), k / columns % 10 == 9), (k * 7919) % (columns * rows));
   }
-  const auto cells = voronoi(grains, all_of(grains), {}, {});
-  EXPECT_TRUE(cells[12].closed);
-  EXPECT_NEAR(cells[12].area, 1.0, 1e-9);
-  EXPECT_NEAR(cells[12].solid_fraction, std::numbers::pi / 4.0, 1e-9);
+  return grains;
 }
 
-// The radical line of discs of radii a and b at a distance d lies (d^2 + a^2 - b^2)/(2 d) from the first centre.
-TEST(Voronoi, TwoDiscsOfUnequalSize) {
+std::vector<Edge> floor_and_lid(double height) {
+  return {{{{3.0, 0.0}}, {{0.0, 1.0}}}, {{{-1.0, height}}, {{0.0, -1.0}}}};
+}
+
+/// Largest difference of area and of vertices from brute force; each cell's outline must be its area's.
+void expect_brute_force(const Grains<2>& grains, const std::vector<bool>& in_heap, const std::vector<Edge>& edges,
+                        const Box<2>& box) {
+  const auto cells = voronoi(grains, in_heap, edges, box);
+  std::size_t next = 0;
+  for (const auto k : by_id(grains)) {
+    if (!in_heap[k]) continue;
+    ASSERT_LT(next, cells.size());
+    const auto& cell = cells[next++];
+    ASSERT_EQ(cell.id, grains.id[k]);
+    const double area = area_of(by_brute_force(grains, in_heap, edges, box, k));
+    EXPECT_NEAR(cell.area, area, 1e-10) << cell.id;
+    EXPECT_NEAR(area_of(cell.vertices), area, 1e-10) << cell.id;
+    if (area > 0.0) {
+      EXPECT_NEAR(cell.solid_fraction * area, std::numbers::pi * squared(grains.line[k].radius), 1e-9);
+    }
+  }
+  EXPECT_EQ(next, cells.size());
+}
+
+// A hexagon of area sqrt(3)/2 d^2, filled to pi / sqrt(12).
+TEST(Voronoi, TriangularLattice) {
+  constexpr double diameter = 0.013;
   Grains<2> grains;
-  grains.add(unit_disc(0.0, 0.0), 0);
-  auto large = unit_disc(1.6, 0.0);
-  large.radius = 1.0;
-  grains.add(large, 1);
-  const auto cells = voronoi(grains, all_of(grains), {}, {});
-  const auto right_end = [](const auto& cell) {
-    double most = -1e9;
-    for (const auto& vertex : cell.vertices) most = std::max(most, vertex[0]);
-    return most;
-  };
-  EXPECT_NEAR(right_end(cells[0]), (1.6 * 1.6 + 0.25 - 1.0) / 3.2, 1e-10);
+  for (int row = 0; row < 9; ++row)
+    for (int k = 0; k < 9; ++k)
+      grains.add(disc(diameter * (k + 0.5 * row), diameter * std::sqrt(0.75) * row, 0.5 * diameter), 9 * row + k);
+  const auto cells = voronoi(grains, all(grains), {}, {});
+  ASSERT_EQ(cells.size(), 81U);
+  for (int row = 1; row < 8; ++row) {
+    for (int k = 1; k < 8; ++k) {
+      const auto& cell = cells[static_cast<std::size_t>(9 * row + k)];
+      EXPECT_NEAR(cell.area / (std::sqrt(0.75) * diameter * diameter), 1.0, 1e-10);
+      EXPECT_NEAR(cell.solid_fraction, std::numbers::pi / std::sqrt(12.0), 1e-10);
+      EXPECT_TRUE(cell.closed);
+      EXPECT_EQ(cell.vertices.size(), 6U);
+    }
+  }
   EXPECT_FALSE(cells[0].closed);
 }
 
-// In a dense periodic packing the cells share the strip out; each is also what its definition says.
-TEST(Voronoi, CellsCoverAPeriodicBoxAndAgreeWithBruteForce) {
-  Box<2> box;
-  box.periodic = true;
-  box.x_min = 0.0;
-  box.x_max = 12.0;
+TEST(Voronoi, SquareLatticeInAPeriodicBoxUpToItsFloor) {
   Grains<2> grains;
-  for (int k = 0; k < 400; ++k) {
-    const auto draw = [&](std::uint32_t n) { return uniform(3, Purpose::grain_size, static_cast<std::uint64_t>(k), n); };
-    auto grain = unit_disc(12.0 * draw(0), 12.0 * draw(1));
-    grain.radius = 0.3 + 0.2 * draw(2);
-    grains.add(grain, k);
+  for (int row = 0; row < 6; ++row)
+    for (int k = 0; k < 8; ++k) grains.add(disc(k + 0.5, row + 0.5), 8 * row + k);
+  const auto cells = voronoi(grains, all(grains), {{{{0.0, 0.0}}, {{0.0, 1.0}}}}, periodic(8.0));
+  for (int k = 0; k < 48; ++k) {
+    const auto& cell = cells[static_cast<std::size_t>(k)];
+    EXPECT_EQ(cell.closed, k < 40) << k;  // all but the top row
+    if (k >= 40) continue;
+    EXPECT_NEAR(cell.area, 1.0, 1e-10);
+    EXPECT_NEAR(cell.solid_fraction, std::numbers::pi / 4.0, 1e-10);
+    EXPECT_EQ(cell.vertices.size(), 4U);
   }
-  const std::vector<Edge> edges = {{{{0.0, 0.0}}, {{0.0, 1.0}}}, {{{0.0, 12.0}}, {{0.0, -1.0}}}};
-  const auto cells = voronoi(grains, all_of(grains), edges, box);
-  double all = 0.0;
-  for (const auto& cell : cells) all += cell.area;
-  EXPECT_NEAR(all, 144.0, 1e-7);
-  double largest = 0.0;
-  for (const auto& grain : grains.line) largest = std::max(largest, 2.0 * grain.radius);
-  std::size_t compared = 0;
-  for (std::size_t k = 0; k < cells.size(); ++k) {
-    const double y = grains.line[k].position[1];
-    if (y < 2.0 || y > 10.0) continue;  // beyond the reach of the edges
-    ++compared;
-    EXPECT_NEAR(cells[k].area, area_by_brute_force(grains, k, box, largest), 1e-9) << k;
-  }
-  EXPECT_GT(compared, 200U);
 }
 
-TEST(Voronoi, ALoneGrainHasTheCutOffPolygon) {
+// Discs of radii 1 and 0.5 in touch: their radical line is the common tangent, 1 and 0.5 from the centres.
+TEST(Voronoi, RadicalLineOfUnequalDiscs) {
   Grains<2> grains;
-  grains.add(unit_disc(3.0, 4.0), 9);
-  const auto cells = voronoi(grains, {true}, {}, {});
+  grains.add(disc(2.0, 1.0, 1.0), 0);
+  grains.add(disc(2.0 + 1.5, 1.0, 0.5), 1);
+  const auto cells = voronoi(grains, all(grains), {}, {});
+  ASSERT_EQ(cells.size(), 2U);
+  double right = -1e9;
+  for (const auto& vertex : cells[0].vertices) right = std::max(right, vertex[0]);
+  double left = 1e9;
+  for (const auto& vertex : cells[1].vertices) left = std::min(left, vertex[0]);
+  EXPECT_NEAR(right, 3.0, 1e-10);
+  EXPECT_NEAR(left, 3.0, 1e-10);
+  EXPECT_FALSE(cells[0].closed || cells[1].closed);
+}
+
+TEST(Voronoi, LoneGrainHasTheCutOffPolygon) {
+  Grains<2> grains;
+  grains.add(disc(-7.0, 40.0), 5);
+  grains.add(disc(-6.0, 40.0), 6);  // in flight
+  const std::vector<bool> heap{true, false};
+  const auto cells = voronoi(grains, heap, {}, {});
   ASSERT_EQ(cells.size(), 1U);
-  EXPECT_EQ(cells[0].id, 9);
+  EXPECT_EQ(cells[0].id, 5);
   EXPECT_FALSE(cells[0].closed);
   EXPECT_EQ(cells[0].vertices.size(), 32U);
-  EXPECT_NEAR(cells[0].area, 32.0 * 1.5 * 1.5 * std::tan(std::numbers::pi / 32.0), 1e-9);
+  EXPECT_NEAR(cells[0].area, 32.0 * 2.25 * std::tan(std::numbers::pi / 32.0), 1e-10);
+  for (const auto& vertex : cells[0].vertices)
+    EXPECT_NEAR(magnitude(vertex - grains.line[0].position), 1.5 / std::cos(std::numbers::pi / 32.0), 1e-10);
 }
 
-TEST(Voronoi, AnEdgeCutsAndFixedGrainsBoundButHaveNoCell) {
+TEST(Voronoi, EdgesCutAndClose) {
   Grains<2> grains;
-  grains.add(unit_disc(0.0, 0.5), 0);
-  grains.add(unit_disc(0.0, 1.5, true), 1);
-  grains.add(unit_disc(0.0, 2.5), 2);  // in flight: does not count
-  const std::vector<Edge> floor = {{{{0.0, 0.0}}, {{0.0, 1.0}}}};
-  const auto cells = voronoi(grains, {true, false, false}, floor, {});
+  grains.add(disc(0.0, 0.0), 0);
+  const double diagonal = std::sqrt(0.5);
+  // A corner of two slopes, 0.6 and 0.5 from the centre, under a lid at 0.7.
+  std::vector<Edge> edges{{{{0.0, -0.6 / diagonal}}, {{diagonal, diagonal}}},
+                          {{{0.0, -0.5 / diagonal}}, {{-diagonal, diagonal}}}};
+  const auto open = voronoi(grains, all(grains), edges, {});
+  EXPECT_FALSE(open[0].closed);
+  edges.push_back({{{0.0, 0.4}}, {{0.0, -1.0}}});
+  const auto shut = voronoi(grains, all(grains), edges, {});
+  EXPECT_TRUE(shut[0].closed);
+  ASSERT_EQ(shut[0].vertices.size(), 3U);
+  const double depth = 0.4 + (0.6 + 0.5) * diagonal;  // of the right-angled corner below the lid
+  EXPECT_NEAR(shut[0].area, depth * depth, 1e-10);
+}
+
+TEST(Voronoi, FixedGrainsBoundCellsAndHaveNone) {
+  Grains<2> grains;
+  for (int k = 0; k < 25; ++k) grains.add(disc(k % 5, k / 5, 0.5, k != 12), k);
+  std::vector<bool> heap(25, false);
+  heap[12] = true;
+  const auto cells = voronoi(grains, heap, {}, {});
   ASSERT_EQ(cells.size(), 1U);
-  const auto [low, high] = std::minmax_element(cells[0].vertices.begin(), cells[0].vertices.end(),
-                                               [](const auto& a, const auto& b) { return a[1] < b[1]; });
-  EXPECT_NEAR((*low)[1], 0.0, 1e-10);
-  EXPECT_NEAR((*high)[1], 1.0, 1e-10);
+  EXPECT_TRUE(cells[0].closed);
+  EXPECT_NEAR(cells[0].area, 1.0, 1e-10);
 }
 
 TEST(Voronoi, NothingThere) {
-  const Grains<2> none;
-  EXPECT_TRUE(voronoi(none, {}, {}, {}).empty());
+  EXPECT_TRUE(voronoi({}, {}, {}, {}).empty());
+  Grains<2> grains;
+  grains.add(disc(0.0, 0.0, 0.5, true), 0);
+  EXPECT_TRUE(voronoi(grains, {false}, {}, {}).empty());
+}
+
+// Wherever the small disc is, a larger one has the lesser power.
+TEST(Voronoi, BuriedDiscHasAnEmptyCell) {
+  Grains<2> grains;
+  grains.add(disc(0.0, 0.0, 1.0), 0);
+  grains.add(disc(0.1, 0.0, 0.1), 1);
+  for (int k = 0; k < 6; ++k) {
+    const double angle = std::numbers::pi * k / 3.0;
+    grains.add(disc(0.6 * std::cos(angle), 0.6 * std::sin(angle), 1.0), 2 + k);
+  }
+  const auto cells = voronoi(grains, all(grains), {}, {});
+  EXPECT_EQ(cells[1].area, 0.0);
+  EXPECT_TRUE(cells[1].vertices.empty());
+  EXPECT_TRUE(std::isnan(cells[1].solid_fraction));
+}
+
+// Between floor and lid the cells of a dense scatter leave no gap: their areas are the box's.
+TEST(Voronoi, CellsFillAPeriodicBox) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    auto grains = scattered(15, 12, 0.8, seed);
+    for (std::size_t k = 0; k < grains.size(); k += 5) grains.line[k].position[0] -= 5.0;  // unwrapped places too
+    const auto cells = voronoi(grains, all(grains), floor_and_lid(12 * 0.8), periodic(15 * 0.8));
+    double sum = 0.0;
+    for (const auto& cell : cells) {
+      sum += cell.area;
+      EXPECT_TRUE(cell.closed);
+    }
+    EXPECT_NEAR(sum / (15.0 * 0.8 * 12.0 * 0.8), 1.0, 1e-10);
+  }
+}
+
+TEST(Voronoi, AgreesWithBruteForce) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const auto grains = scattered(14, 11, 0.9, seed);
+    std::vector<bool> heap(grains.size());
+    for (std::size_t k = 0; k < grains.size(); ++k) {
+      const bool flies = uniform(seed, Purpose::release_position, k) < 0.3;  // leaves holes wider than the cut-off
+      heap[k] = !grains.line[k].fixed() && !flies;
+    }
+    expect_brute_force(grains, heap, {}, {});
+    expect_brute_force(grains, heap, floor_and_lid(8.0), periodic(14 * 0.9));
+  }
+}
+
+// Narrower than the reach: images beyond the nearest, and those of the grain itself, bound its cell.
+TEST(Voronoi, NarrowPeriodicBox) {
+  for (const int columns : {1, 2, 3, 5}) {
+    const auto grains = scattered(columns, 9, 0.9, 3);
+    expect_brute_force(grains, all(grains), floor_and_lid(9 * 0.9), periodic(columns * 0.9));
+  }
+}
+
+// One fixed disc far larger than the grains bounds cells from farther than they reach themselves.
+TEST(Voronoi, LargeFixedNeighbour) {
+  auto grains = scattered(12, 8, 0.9, 11);
+  grains.add(disc(5.0, -20.0, 20.0, true), 1000);
+  auto heap = all(grains);
+  heap.back() = false;
+  expect_brute_force(grains, heap, {}, {});
 }
 
 }  // namespace

@@ -2,155 +2,224 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/analysis/voronoi.hpp"
 
+#include "repose/core/errors.hpp"
 #include "repose/neighbours/cell_grid.hpp"
 
-#include <voro++/voro++.hh>
+#include <voro++/cell.hh>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <numbers>
-#include <set>
 
 namespace repose {
 
 namespace {
 
-constexpr double cut_off = 1.5;  // largest diameters
-constexpr int sides = 32;        // of the polygon that cells are cut off by
-constexpr double reach =
-    3.2;  // largest diameters: no radical plane of a farther neighbour comes nearer than the cut-off
-constexpr int id_of_polygon = -100;
-constexpr int id_of_neighbour = 1;
+constexpr double cut_off = 1.5;  // inscribed radius of the cut-off polygon over the largest diameter
+constexpr int cut_off_sides = 32;
 
-/// A neighbour as seen from the centre of a cell, in units of the largest diameter.
-struct Neighbour {
-  Vec<2> away{};
-  double twice_plane = 0.0;  // d^2 + r_i^2 - r_j^2: the radical plane is half of it along `away`
+// What a face of a cell comes from. voro++ numbers the faces of the prism that a cell starts as from -1 to -6: left,
+// right, lower, upper side and the two ends.
+constexpr int last_starting_side = -4;
+constexpr int end_of_prism = -6;
+constexpr int cut_off_side = -7;
+constexpr int edge_side = -8;
+constexpr int neighbour_side = 1;
+
+bool at_cut_off(int face) { return (face < 0 && face >= last_starting_side) || face == cut_off_side; }
+
+/// The grains that have or bound cells, by ascending id, and a grid to find them by place.
+struct Sites {
+  std::vector<std::uint32_t> grain;  // place in memory
+  std::vector<Vec<2>> position;      // wrapped
+  double largest = 0.0;              // radius
+  double largest_with_cell = 0.0;    // radius
 };
 
-/// Cells of one packing, worked out one by one in units of its largest diameter.
-class Tessellation {
- public:
-  Tessellation(const Grains<2>& grains, std::vector<std::uint32_t> members, const std::vector<Edge>& edges,
-               const Box<2>& box)
-      : grains_(grains),
-        edges_(edges),
-        box_(box),
-        members_(std::move(members)),
-        unit_(largest_diameter()),
-        grid_(positions(), box, reach * unit_) {}
+Sites find_sites(const Grains<2>& grains, const std::vector<bool>& in_heap, const Box<2>& box) {
+  Sites sites;
+  for (const auto k : by_id(grains)) {
+    const auto& grain = grains.line[k];
+    if (!in_heap[k] && !grain.fixed()) continue;
+    sites.grain.push_back(k);
+    sites.position.push_back(box.wrapped(grain.position));
+    sites.largest = std::max(sites.largest, grain.radius);
+    if (in_heap[k]) sites.largest_with_cell = std::max(sites.largest_with_cell, grain.radius);
+  }
+  return sites;
+}
 
-  VoronoiCell cell(std::uint32_t grain) const;
+/// A neighbour seen from the centre of a cell; [L] in units of the largest diameter.
+struct Neighbour {
+  Vec<2> offset{};
+  double distance_squared = 0.0;
+  double plane = 0.0;  // twice the distance of the radical line, times the distance of the neighbour
+};
+
+/// Neighbours of one site that can cut its cell, nearest first.
+class Surroundings {
+ public:
+  Surroundings(const Grains<2>& grains, const Sites& sites, const Box<2>& box, double unit)
+      : grains_(grains), sites_(sites), box_(box), unit_(unit), grid_(sites.position, box, 2.0 * unit) {}
+
+  const std::vector<Neighbour>& of(std::size_t site) {
+    near_.clear();
+    // The radical line of a neighbour at distance d lies (d^2 + r_i^2 - r_j^2) / (2 d) away: beyond the corners of the
+    // cut-off if d exceeds this reach.
+    const double corner = cut_off * unit_ / std::cos(std::numbers::pi / cut_off_sides);
+    const double radius = grains_.line[sites_.grain[site]].radius;
+    const double reach = corner + std::sqrt(squared(corner) + squared(sites_.largest) - squared(radius));
+    const auto cell = grid_.cell_of(sites_.position[site]);
+    const int high = static_cast<int>(std::ceil(reach / grid_.size(1)));
+    const int wide = static_cast<int>(std::ceil(reach / grid_.size(0)));
+    const int lines = grid_.count(0);
+    if (2 * wide + 1 >= lines) {
+      for (int line = 0; line < lines; ++line) add(site, grid_.places(line, cell[1] - high, cell[1] + high), reach);
+    } else {
+      for (int line = cell[0] - wide; line <= cell[0] + wide; ++line) {
+        if (!box_.periodic && (line < 0 || line >= lines)) continue;
+        add(site, grid_.places((line + lines) % lines, cell[1] - high, cell[1] + high), reach);
+      }
+    }
+    std::sort(near_.begin(), near_.end(),
+              [](const auto& a, const auto& b) { return a.distance_squared < b.distance_squared; });
+    return near_;
+  }
 
  private:
-  double largest_diameter() const {
-    double largest = 0.0;
-    for (const auto k : members_) largest = std::max(largest, 2.0 * grains_.line[k].radius);
-    return largest;
+  void add(std::size_t site, CellGrid<2>::Places places, double reach) {
+    const int images = box_.periodic ? static_cast<int>(reach / box_.width() + 0.5) : 0;
+    const double radius = grains_.line[sites_.grain[site]].radius;
+    for (auto place = places.begin; place < places.end; ++place) {
+      const auto other = grid_.order()[place];
+      const Vec<2> nearest = separation(sites_.position[other], sites_.position[site], box_);
+      const double other_radius = grains_.line[sites_.grain[other]].radius;
+      for (int image = -images; image <= images; ++image) {
+        if (other == site && image == 0) continue;
+        Vec<2> offset = nearest;
+        if (image != 0) offset[0] += image * box_.width();
+        const double distance_squared = squared(offset);
+        if (distance_squared > squared(reach)) continue;
+        const double scale = 1.0 / squared(unit_);
+        near_.push_back({offset * (1.0 / unit_), distance_squared * scale,
+                         (distance_squared + squared(radius) - squared(other_radius)) * scale});
+      }
+    }
   }
-  std::vector<Vec<2>> positions() const {
-    std::vector<Vec<2>> all;
-    for (const auto k : members_) all.push_back(grains_.line[k].position);
-    return all;
-  }
-  std::vector<Neighbour> neighbours(std::uint32_t grain) const;
 
   const Grains<2>& grains_;
-  const std::vector<Edge>& edges_;
+  const Sites& sites_;
   const Box<2>& box_;
-  std::vector<std::uint32_t> members_;
   double unit_;
   CellGrid<2> grid_;
+  std::vector<Neighbour> near_;
 };
 
-std::vector<Neighbour> Tessellation::neighbours(std::uint32_t grain) const {
-  const auto& self = grains_.line[grain];
-  const auto at = grid_.cell_of(self.position);
-  std::set<int> lines;
-  for (int line = at[0] - 1; line <= at[0] + 1; ++line) {
-    if (box_.periodic) {
-      lines.insert((line + grid_.count(0)) % grid_.count(0));
-    } else if (line >= 0 && line < grid_.count(0)) {
-      lines.insert(line);
+/// Polygon of one cell, about the origin and in units of the largest diameter: the end of a prism that voro++ cuts.
+class Polygon {
+ public:
+  Polygon() {
+    for (int side = 0; side < cut_off_sides; ++side) {
+      const double angle = 2.0 * std::numbers::pi * side / cut_off_sides;
+      normals_[static_cast<std::size_t>(side)] = {{std::cos(angle), std::sin(angle)}};
     }
   }
-  std::vector<Neighbour> found;
-  for (const int line : lines) {
-    const auto places = grid_.places(line, at[1] - 1, at[1] + 1);
-    for (auto place = places.begin; place < places.end; ++place) {
-      const auto other = members_[grid_.order()[place]];
-      if (other == grain) continue;
-      const Vec<2> away = separation(grains_.line[other].position, self.position, box_) * (1.0 / unit_);
-      const double radius = self.radius / unit_;
-      const double other_radius = grains_.line[other].radius / unit_;
-      if (dot(away, away) > reach * reach) continue;
-      found.push_back({away, dot(away, away) + radius * radius - other_radius * other_radius});
-    }
-  }
-  std::sort(found.begin(), found.end(),
-            [](const auto& a, const auto& b) { return dot(a.away, a.away) < dot(b.away, b.away); });
-  return found;
-}
 
-VoronoiCell Tessellation::cell(std::uint32_t grain) const {
-  const auto& self = grains_.line[grain];
-  voro::voronoicell_neighbor prism;  // of unit height, so that its volume is the area of the cell
-  constexpr double far = 2.0 * cut_off;
-  prism.init(-far, far, -far, far, -0.5, 0.5);
-  for (int side = 0; side < sides; ++side) {
-    const double angle = 2.0 * std::numbers::pi * side / sides;
-    prism.nplane(std::cos(angle), std::sin(angle), 0.0, 2.0 * cut_off, id_of_polygon);
+  void start() {
+    prism_.init(-cut_off, cut_off, -cut_off, cut_off, -0.5, 0.5);
+    empty_ = false;
   }
-  bool left = true;  // something is left of the cell: two grains at the same place share none
-  for (const auto& neighbour : neighbours(grain)) {
-    left = left && prism.nplane(neighbour.away[0], neighbour.away[1], 0.0, neighbour.twice_plane, id_of_neighbour);
+  /// Keeps the points x with 2 x . towards < limit.
+  void keep_below(const Vec<2>& towards, double limit, int face) {
+    if (!empty_) empty_ = !prism_.nplane(towards[0], towards[1], 0.0, limit, face);
   }
-  for (const auto& edge : edges_) {
-    const double height = dot(self.position - edge.point, edge.normal) / unit_;
-    left = left && prism.nplane(-edge.normal[0], -edge.normal[1], 0.0, 2.0 * height, id_of_neighbour);
+  /// Cuts off what lies too far from the centre; last, because few cells reach so far.
+  void cut_off_corners() {
+    if (empty_) return;
+    prism_.vertices(places_);
+    double farthest = 0.0;
+    for (std::size_t k = 0; k < places_.size(); k += 3)
+      farthest = std::max(farthest, squared(Vec<2>{{places_[k], places_[k + 1]}}));
+    if (farthest <= squared(cut_off)) return;
+    for (int side = 0; side < cut_off_sides; ++side) {
+      if (side % (cut_off_sides / 4) == 0) continue;  // these four the prism started with
+      keep_below(normals_[static_cast<std::size_t>(side)], 2.0 * cut_off, cut_off_side);
+    }
   }
-  VoronoiCell cell;
-  cell.id = grains_.id[grain];
-  if (!left) return cell;
-  cell.area = prism.volume() * unit_ * unit_;
-  cell.solid_fraction = std::numbers::pi * self.radius * self.radius / cell.area;
-  std::vector<int> faces;
-  prism.neighbors(faces);
-  cell.closed = std::find(faces.begin(), faces.end(), id_of_polygon) == faces.end();
-  std::vector<double> corners;
-  prism.vertices(0.0, 0.0, 0.0, corners);
-  std::vector<std::pair<double, Vec<2>>> by_angle;
-  Vec<2> middle{};
-  double count = 0.0;
-  for (std::size_t k = 0; k < corners.size(); k += 3) {
-    if (corners[k + 2] < 0.0) continue;
-    middle += Vec<2>{{corners[k], corners[k + 1]}};
-    count += 1.0;
+
+  /// Vertices, area and `closed` of the cell of a grain at `centre`.
+  void read(VoronoiCell& cell, const Vec<2>& centre, double unit) {
+    cell.closed = true;
+    if (empty_) return;
+    prism_.vertices(places_);
+    prism_.neighbors(faces_);
+    prism_.face_vertices(corners_);  // for each face their number, then the vertices in turn
+    std::size_t at = 0;
+    for (const int face : faces_) {
+      const auto count = static_cast<std::size_t>(corners_[at]);
+      if (at_cut_off(face)) cell.closed = false;
+      if (face == end_of_prism) read_outline(cell, at + 1, count);
+      at += count + 1;
+    }
+    cell.area *= squared(unit);
+    for (auto& vertex : cell.vertices) vertex = centre + vertex * unit;
   }
-  middle = middle * (1.0 / count);
-  for (std::size_t k = 0; k < corners.size(); k += 3) {
-    if (corners[k + 2] < 0.0) continue;
-    const Vec<2> corner{{corners[k], corners[k + 1]}};
-    by_angle.emplace_back(std::atan2(corner[1] - middle[1], corner[0] - middle[0]), corner);
+
+ private:
+  void read_outline(VoronoiCell& cell, std::size_t first, std::size_t count) {
+    for (std::size_t k = first; k < first + count; ++k) {
+      const auto place = 3 * static_cast<std::size_t>(corners_[k]);
+      cell.vertices.push_back({{places_[place], places_[place + 1]}});
+    }
+    double doubled = 0.0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto& a = cell.vertices[k];
+      const auto& b = cell.vertices[(k + 1) % count];
+      doubled += a[0] * b[1] - a[1] * b[0];
+    }
+    if (doubled < 0.0) std::reverse(cell.vertices.begin(), cell.vertices.end());
+    cell.area = 0.5 * std::fabs(doubled);
   }
-  std::sort(by_angle.begin(), by_angle.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (const auto& [angle, corner] : by_angle) cell.vertices.push_back(self.position + corner * unit_);
-  return cell;
-}
+
+  std::array<Vec<2>, cut_off_sides> normals_{};
+  voro::voronoicell_neighbor prism_;
+  bool empty_ = false;
+  std::vector<double> places_;
+  std::vector<int> faces_;
+  std::vector<int> corners_;
+};
 
 }  // namespace
 
 std::vector<VoronoiCell> voronoi(const Grains<2>& grains, const std::vector<bool>& in_heap,
                                  const std::vector<Edge>& edges, const Box<2>& box) {
+  REPOSE_ASSERT(in_heap.size() == grains.size());
   std::vector<VoronoiCell> cells;
-  std::vector<std::uint32_t> members;
-  for (std::uint32_t k = 0; k < grains.size(); ++k) {
-    if (in_heap[k] || grains.line[k].fixed()) members.push_back(k);
-  }
-  if (members.empty()) return cells;
-  const Tessellation tessellation(grains, members, edges, box);
-  for (const auto k : by_id(grains)) {
-    if (in_heap[k]) cells.push_back(tessellation.cell(k));
+  const Sites sites = find_sites(grains, in_heap, box);
+  if (!(sites.largest_with_cell > 0.0)) return cells;
+  const double unit = 2.0 * sites.largest_with_cell;  // keeps the absolute tolerance of voro++ small
+  Surroundings surroundings(grains, sites, box, unit);
+  Polygon polygon;
+  for (std::size_t site = 0; site < sites.grain.size(); ++site) {
+    const auto k = sites.grain[site];
+    if (!in_heap[k]) continue;
+    const auto& grain = grains.line[k];
+    polygon.start();
+    for (const auto& neighbour : surroundings.of(site))
+      polygon.keep_below(neighbour.offset, neighbour.plane, neighbour_side);
+    for (const auto& edge : edges) {
+      const double height = dot(grain.position - edge.point, edge.normal) / unit;
+      polygon.keep_below(-edge.normal, 2.0 * height, edge_side);
+    }
+    polygon.cut_off_corners();
+    VoronoiCell& cell = cells.emplace_back();
+    cell.id = grains.id[k];
+    polygon.read(cell, grain.position, unit);
+    cell.solid_fraction = cell.area > 0.0 ? std::numbers::pi * squared(grain.radius) / cell.area
+                                          : std::numeric_limits<double>::quiet_NaN();
   }
   return cells;
 }

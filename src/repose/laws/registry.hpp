@@ -9,8 +9,8 @@
 #include "repose/laws/tangential/none.hpp"
 
 #include <string_view>
-#include <utility>
 #include <type_traits>
+#include <utility>
 #include <variant>
 
 namespace repose {
