@@ -16,6 +16,8 @@ AXES_WIDTH = 6.3
 AXES_HEIGHT = 6.5
 LEFT, RIGHT, BOTTOM, TOP = 0.58, 0.12, 0.42, 0.28
 LEGEND_ROW = 0.18
+BAR_ROW = 0.34  # a colour bar with its numbers
+BAR_WIDTH, BAR_HEIGHT = 2.0, 0.08
 LEAST_AXES_WIDTH = 3.9  # of which the keys of the force network take most
 LARGEST_GRAIN = 0.17
 
@@ -49,12 +51,13 @@ class Box:
 
 @dataclass(frozen=True)
 class Field:
-    """A figure that shows a box."""
+    """Axes that show a box."""
 
     figure: Figure
     axes: object
     box: Box
     points_per_length: float  # [1/72 inch per L]
+    row: float  # [inch] from the top of the figure to the row of keys above the axes
 
 
 def supported(state):
@@ -122,32 +125,47 @@ def _at_least(low, high, width):
 
 def make_field(run, state, with_legend):
     """Axes for a picture of grains, with a caption; `with_legend` leaves a row above them."""
+    return make_fields(run, state, [LEGEND_ROW if with_legend else 0.0])[0]
+
+
+def make_fields(run, state, rows, below=0.0):
+    """Fields of the same box one below the other, with a caption: one for each height in `rows` [inch] of the keys
+    above it. `below` [inch] of the figure is left empty at the bottom."""
     if run.attributes["dimension"] != 2:
         raise NotDrawn("not a two-dimensional run")
     box = crop(run, state)
     scale = min(
         AXES_WIDTH / (box.x_max - box.x_min),
-        AXES_HEIGHT / (box.y_max - box.y_min),
+        AXES_HEIGHT / len(rows) / (box.y_max - box.y_min),
         LARGEST_GRAIN / run.attributes["grain_diameter"],
     )
     if not run.attributes["periodic"]:
         box = Box(*_at_least(box.x_min, box.x_max, LEAST_AXES_WIDTH / scale), box.y_min, box.y_max)
     axes_width, axes_height = (box.x_max - box.x_min) * scale, (box.y_max - box.y_min) * scale
-    top = TOP + (LEGEND_ROW if with_legend else 0.0)
-    width, height = LEFT + max(axes_width, LEAST_AXES_WIDTH) + RIGHT, BOTTOM + axes_height + top
+    width = LEFT + max(axes_width, LEAST_AXES_WIDTH) + RIGHT
+    height = TOP + sum(rows) + len(rows) * (axes_height + BOTTOM) + below
     figure = Figure(figsize=(width, height))
-    axes = figure.add_axes([LEFT / width, BOTTOM / height, axes_width / width, axes_height / height])
+    fields, top = [], TOP
+    for row in rows:
+        low = height - top - row - axes_height
+        axes = figure.add_axes([LEFT / width, low / height, axes_width / width, axes_height / height])
+        _lay_out(axes, run, state, box, axes_width, axes_height)
+        fields.append(Field(figure, axes, box, scale * 72.0, top))
+        top += row + axes_height + BOTTOM
+    style.caption(figure, _what_is_shown(run, state, box))
+    return fields
+
+
+def _lay_out(axes, run, state, box, width, height):
     if len(state.grains) > MOST_VECTORS:
         axes.set_rasterization_zorder(1.5)  # between the collections and the lines
     axes.set_xlim(box.x_min, box.x_max)
     axes.set_ylim(box.y_min, box.y_max)
-    axes.locator_params(axis="y", nbins=max(2, min(8, int(axes_height / 0.35))), steps=[1, 2, 5, 10])
-    axes.locator_params(axis="x", nbins=max(2, min(10, int(axes_width / 0.6))), steps=[1, 2, 5, 10])
+    axes.locator_params(axis="y", nbins=max(2, min(8, int(height / 0.35))), steps=[1, 2, 5, 10])
+    axes.locator_params(axis="x", nbins=max(2, min(10, int(width / 0.6))), steps=[1, 2, 5, 10])
     units = style.units_of(run)
     axes.set_xlabel(units.length("x"))
     axes.set_ylabel(units.length("y"))
-    style.caption(figure, _what_is_shown(run, state, box))
-    return Field(figure, axes, box, scale * 72.0)
 
 
 def _what_is_shown(run, state, box):
@@ -161,13 +179,35 @@ def _what_is_shown(run, state, box):
     return text if state.frame or run.attributes["status"] == "finished" else f"{text}, {run.attributes['status']}"
 
 
-def legend_above(field, handles, title=None):
-    """One row of keys between the caption and the axes."""
-    width, height = field.figure.get_size_inches()
-    at = (0.08 / width, 1.0 - (TOP - 0.04) / height)
+def legend_above(field, handles, title=None, down=0.0):
+    """One row of keys above the axes, `down` [inch] from the top of what is left for keys."""
+    at = _title_above(field, title, down)
     labels = [handle.get_label() for handle in handles]
-    if title:
-        text = field.figure.text(*at, title, ha="left", va="top", fontsize=7, color=style.INK)
-        extent = text.get_window_extent(FigureCanvasAgg(field.figure).get_renderer())
-        at = ((extent.x1 / field.figure.dpi + 0.12) / width, at[1])
     field.figure.legend(handles, labels, loc="upper left", bbox_to_anchor=at, ncol=len(handles))
+
+
+def bar_above(field, mappable, title, handles=(), extend="neither"):
+    """Title, colour bar and keys in one row above the axes."""
+    width, height = field.figure.get_size_inches()
+    left, top = _title_above(field, title)
+    low = top - (BAR_HEIGHT + 0.02) / height
+    axes = field.figure.add_axes([left, low, BAR_WIDTH / width, BAR_HEIGHT / height])
+    bar = field.figure.colorbar(mappable, cax=axes, orientation="horizontal", extend=extend)
+    bar.outline.set_linewidth(0.4)
+    axes.tick_params(labelsize=6, length=2, pad=1.5)
+    axes.locator_params(axis="x", nbins=6, steps=[1, 2, 5, 10])
+    if handles:
+        at = (left + (BAR_WIDTH + 0.25) / width, top)
+        labels = [handle.get_label() for handle in handles]
+        field.figure.legend(handles, labels, loc="upper left", bbox_to_anchor=at, ncol=len(handles))
+
+
+def _title_above(field, title, down=0.0):
+    """Where the row goes on after its title, in parts of the figure."""
+    width, height = field.figure.get_size_inches()
+    at = (0.08 / width, 1.0 - (field.row + down - 0.04) / height)
+    if not title:
+        return at
+    text = field.figure.text(*at, title, ha="left", va="top", fontsize=7, color=style.INK)
+    extent = text.get_window_extent(FigureCanvasAgg(field.figure).get_renderer())
+    return ((extent.x1 / field.figure.dpi + 0.12) / width, at[1])

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Discs, planes and lines between centres, as few large paths: small vector files, exact sizes."""
+"""Discs, cells, planes and lines between centres, as few large paths: small vector files, exact sizes."""
 
 import numpy as np
-from matplotlib.collections import PathCollection
+from matplotlib.collections import PathCollection, PolyCollection
 from matplotlib.path import Path
 
 from repose import style
@@ -51,6 +51,25 @@ def add_lines(field, lines, width, colour):
     _add(
         field.axes, lines[seen], _LINE_CODES, facecolor="none", edgecolor=colour, linewidth=width, capstyle="round"
     )
+
+
+def add_cells(field, run, cells, **look):
+    """Polygons (points, 2) [L] each, coloured by the `array` in `look`; images of those at a periodic side too."""
+    array = look.pop("array", None)
+    drawn, of = [], []
+    period = run.attributes["x_max"] - run.attributes["x_min"] if run.attributes["periodic"] else 0.0
+    for k, cell in enumerate(cells):
+        home = wrapped(run, cell.mean(axis=0)[None])[0] - cell.mean(axis=0)
+        for shift in (0.0, -period, period) if period else (0.0,):
+            placed = cell + home + [shift, 0.0]
+            if field.box.near(placed, 0.0).any():
+                drawn.append(placed)
+                of.append(k)
+    collection = PolyCollection(drawn, **look)
+    if array is not None:
+        collection.set_array(array[of])
+    field.axes.add_collection(collection, autolim=False)
+    return collection
 
 
 def add_planes(field, run):

@@ -1,17 +1,19 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the standard pictures of a run folder: `python3 -m repose.plot DIR`, or `repose plot DIR`."""
+"""Draws the standard pictures of a run or sweep folder: `python3 -m repose.plot DIR`, or `repose plot DIR`."""
 
 import argparse
 import os
 import sys
+from functools import partial
 
 import matplotlib
 
+import repose
 from repose import style
 from repose.not_drawn import NotDrawn
 from repose.pictures import PICTURES
-from repose.run_folder import RunFolder, RunFolderError
+from repose.pictures.sweep import SWEEP_PICTURES
 
 FORMATS = ("png", "svg")
 
@@ -50,16 +52,17 @@ def frame_name(text):
     return text
 
 
-def parse(arguments):
-    parser = Parser(prog="repose plot", description="Draw the standard pictures of a run folder into DIR/pictures.")
-    parser.add_argument("folder", metavar="DIR", help="run folder")
-    parser.add_argument(
-        "--only", type=list_of(PICTURES), default=list(PICTURES), metavar="NAMES", help=f"of {','.join(PICTURES)}"
+def parser():
+    new = Parser(
+        prog="repose plot", description="Draw the standard pictures of a run or sweep folder into DIR/pictures."
     )
-    parser.add_argument("--format", type=list_of(FORMATS), default=list(FORMATS), metavar="KINDS", help="png,svg")
-    parser.add_argument("--dpi", type=dots_per_inch, default=200, metavar="N", help="of PNG (default: 200)")
-    parser.add_argument("--frame", type=frame_name, metavar="NNNNNN", help="a saved frame instead of the last state")
-    return parser.parse_args(arguments)
+    new.add_argument("folder", metavar="DIR", help="run folder or sweep folder")
+    known = f"of a run: {','.join(PICTURES)}; of a sweep: {','.join(SWEEP_PICTURES)}"
+    new.add_argument("--only", metavar="NAMES", help=known)
+    new.add_argument("--format", type=list_of(FORMATS), default=list(FORMATS), metavar="KINDS", help="png,svg")
+    new.add_argument("--dpi", type=dots_per_inch, default=200, metavar="N", help="of PNG (default: 200)")
+    new.add_argument("--frame", type=frame_name, metavar="NNNNNN", help="a saved frame of a run, not its last state")
+    return new
 
 
 def save(figure, path, kind, dpi, title):
@@ -73,31 +76,49 @@ def save(figure, path, kind, dpi, title):
         temporary.unlink(missing_ok=True)
 
 
-def draw_pictures(run, state, options):
-    """Draws what the options name; one line for each file written and each picture left out."""
-    folder = run.path / "pictures"
-    folder.mkdir(exist_ok=True)
+def pictures_of(folder, frame):
+    """Functions without arguments that return lists of figures, by name, and what to append to the names."""
+    if isinstance(folder, repose.SweepFolder):
+        if frame:
+            raise repose.RunFolderError(f"{folder.path}: a sweep has no frames")
+        return {name: partial(draw, folder) for name, draw in SWEEP_PICTURES.items()}, ""
+    state = folder.frame(frame) if frame else folder.state
     suffix = f"-{state.frame}" if state.frame else ""
-    for name in options.only:
+    return {name: lambda draw=draw: [draw(folder, state)] for name, draw in PICTURES.items()}, suffix
+
+
+def draw_pictures(folder, pictures, suffix, options):
+    """One line for each file written and each picture left out; figures after the first of a picture are numbered."""
+    place = folder.path / "pictures"
+    place.mkdir(exist_ok=True)
+    for name, draw in pictures.items():
         with matplotlib.rc_context(style.RC):
             try:
-                figure = PICTURES[name](run, state)
+                figures = draw()
             except NotDrawn as reason:
                 print(f"{name}: not drawn: {reason}")
                 continue
-            for kind in options.format:
-                path = folder / f"{name}{suffix}.{kind}"
-                save(figure, path, kind, options.dpi, run.attributes["title"])
-                print(path)
+            for k, figure in enumerate(figures, 1):
+                for kind in options.format:
+                    path = place / f"{name}{suffix}{f'-{k}' if k > 1 else ''}.{kind}"
+                    save(figure, path, kind, options.dpi, folder.attributes["title"])
+                    print(path)
 
 
 def main(arguments=None):
     """Exit status 0, or 2 with one line on stderr."""
-    options = parse(arguments)
+    command = parser()
+    options = command.parse_args(arguments)
     try:
-        run = RunFolder(options.folder)
-        draw_pictures(run, run.frame(options.frame) if options.frame else run.state, options)
-    except RunFolderError as error:
+        folder = repose.open(options.folder)
+        pictures, suffix = pictures_of(folder, options.frame)
+        if options.only is not None:
+            try:
+                pictures = {name: pictures[name] for name in list_of(pictures)(options.only)}
+            except argparse.ArgumentTypeError as error:
+                command.error(f"argument --only: {error}")
+        draw_pictures(folder, pictures, suffix, options)
+    except repose.RunFolderError as error:
         print(f"repose plot: {error}", file=sys.stderr)
         return 2
     except OSError as error:

@@ -4,16 +4,28 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.colors import ListedColormap
+
 INK = "#1a1a1a"
 GREY = "#6b6b6b"
 FAINT = "#c9ced6"
 BLUE = "#0072b2"
 ORANGE = "#d55e00"
 PURPLE = "#aa3377"
+GREEN = "#009e73"
+SKY = "#56b4e9"
+AMBER = "#e69f00"
+SERIES = (BLUE, ORANGE, GREEN, PURPLE, SKY, AMBER)  # of things that stand side by side
+MARKERS = ("o", "s", "^", "D", "v", "P")
 
 GRAIN = "#a9c4dc"  # moving grains
 GRAIN_EDGE = "#34506b"
 HELD = "#4d4d4d"  # base and other fixed grains
+
+PACKING = "viridis_r"  # of solid fractions: dense is dark
+LOAD = ListedColormap(colormaps["Blues"](np.linspace(0.03, 0.72, 256)), "load")  # light enough for ink on it
 
 RC = {
     "font.family": "DejaVu Sans",
@@ -64,6 +76,9 @@ class Units:
 
     def time_value(self, value):
         return f"{value:.6g} √(σ/g)" if self.reduced else f"{value:.6g} s"
+
+    def stress(self, symbol):
+        return f"{symbol} / (mg/σ)" if self.reduced else f"{symbol} (N/m)"
 
     def energy(self, symbol):
         return f"{symbol} / mgσ" if self.reduced else f"{symbol} (J)"

@@ -6,6 +6,7 @@ import json
 
 import h5py
 import numpy as np
+from synthetic_analysis import write_analysis, write_group
 
 ROW = np.sqrt(3.0) / 2.0  # [d] between the rows of a triangular lattice
 REACH = 1.02  # [mean diameters] of the pairs listed as contacts
@@ -61,14 +62,10 @@ def with_planes(contacts, centre, radius, ids):
     return {name: np.concatenate([contacts[name], more[name]]) for name in contacts}
 
 
-def write_group(group, columns, **attributes):
-    for name, values in columns.items():
-        group[name] = values
-    group.attrs.update(attributes)
-
-
-def write_run(folder, moving, base=None, diameter=1.0, period=None, plane=False, surface=True, rows=40, **attributes):
-    """Writes a run folder; `moving` and `base` are centres in diameters, period too.
+def write_run(
+    folder, moving, base=None, diameter=1.0, period=None, plane=False, surface=True, rows=40, track=True, **attributes
+):
+    """Writes a run folder with its analysis; `moving` and `base` are centres in diameters, period too.
 
     Every third id is missing from the fifth grain on. `attributes` replace those of run.h5.
     """
@@ -95,7 +92,7 @@ def write_run(folder, moving, base=None, diameter=1.0, period=None, plane=False,
     }
     half = (period or 100.0) / 2.0 * diameter
     header = {
-        "format": "repose-run", "format_version": 1, "title": "A synthetic <heap>", "method": "soft",
+        "format": "repose-run", "format_version": 2, "title": "A synthetic <heap>", "method": "soft",
         "units": "reduced", "dimension": 2, "seed": 1, "time": 120.0, "steps": 120000, "time_step": 1e-3,
         "status": "finished", "message": "at rest", "repose_version": "0.1.0", "gravity": [0.0, -1.0],
         "grain_diameter": diameter, "grain_weight": 1.0, "periodic": int(period is not None),
@@ -112,13 +109,14 @@ def write_run(folder, moving, base=None, diameter=1.0, period=None, plane=False,
         write_group(file.create_group("contacts"), contacts)
         write_series(file.create_group("series"), rows, len(moving))
         file["frames/000000"] = h5py.ExternalLink("frames/000000.h5", "/")
-        write_surface(file.create_group("surface"), centre[:, 1].max() + 0.5 if surface else None, diameter)
         if plane:
             write_group(file.create_group("planes"), {"point": np.zeros((1, 2)), "normal": np.array([[0.0, 1.0]])})
         if len(base):
             write_base(file.create_group("base"), centre[fixed, 0] * diameter, ids[fixed], len(moving))
+    write_analysis(folder, grains, contacts, diameter, surface, track)
     dip = {"index": 1.04, "centre": 0.0, "half_width": 9.0 * diameter} if len(base) and len(moving) else None
-    (folder / "summary.json").write_text(json.dumps({"base_dip": dip}))
+    forces = {"mean": 2.5, "strong_fraction": 0.4, "sliding_fraction": 0.05}
+    (folder / "summary.json").write_text(json.dumps({"base_dip": dip, "forces": forces}))
     return folder
 
 
@@ -133,19 +131,6 @@ def write_series(group, rows, grains):
         "max_overlap": np.full(rows, 0.01),
     }
     write_group(group, columns)
-
-
-def write_surface(group, apex, diameter):
-    """A profile of slope sqrt(3) with a line on the left flank only; `apex` [d] None: no profile."""
-    x = np.arange(-8, 9) * diameter if apex else np.empty(0)
-    height = (apex or np.nan) * diameter - np.sqrt(3.0) * np.abs(x)
-    write_group(
-        group,
-        {"x": x, "height": height, "used": ((x != 0.0) & (height > 0.0)).astype(np.uint8)},
-        bin_width=diameter, base_y=0.0, apex_x=0.0, apex_height=(apex or np.nan) * diameter,
-        left_slope=np.sqrt(3.0) if apex else np.nan, left_intercept=(apex or np.nan) * diameter,
-        right_slope=np.nan, right_intercept=np.nan,
-    )  # fmt: skip
 
 
 def write_base(group, x, ids, moving):

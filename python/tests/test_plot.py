@@ -22,6 +22,17 @@ BED = np.concatenate([base_row(10, 0.5) + [0.5 * row, row * np.sqrt(3.0) / 2.0] 
 FLYING = np.column_stack([np.linspace(-3.0, 3.0, 6), np.linspace(60.0, 90.0, 6)])
 NOBODY = np.empty((0, 2))
 
+NO_FORCE = "no contact carries a force that counts"
+NO_TRACK = "no track: output.track = 0"
+NO_CONTACTS = {
+    "density": "no contacts",
+    "forces": "no contact carries a force",
+    "chains": NO_FORCE,
+    "force_distribution": NO_FORCE,
+    "voronoi": "no heap",
+    "stress": "no heap",
+}
+
 RUNS = {
     "heap": dict(moving=pyramid(16), base=base_row(30)),
     "flying": dict(moving=np.concatenate([pyramid(12), FLYING]), base=base_row(30)),
@@ -36,30 +47,26 @@ RUNS = {
     "column": dict(moving=np.column_stack([np.zeros(60), np.arange(1, 61)]), base=base_row(3), surface=False),
     "empty": dict(moving=NOBODY, base=base_row(10), surface=False),
     "nothing": dict(moving=NOBODY, surface=False, rows=0),
+    "no_track": dict(moving=pyramid(8), base=base_row(8), track=False),
 }
 LEFT_OUT = {
-    "all_flying": {"density": "no contacts", "forces": "no contact carries a force"},
+    "all_flying": NO_CONTACTS,
     "no_base": {"base": "no row of base grains"},
     "plane": {"base": "no row of base grains"},
     "one_grain": {
-        "density": "no contacts",
-        "forces": "no contact carries a force",
+        **NO_CONTACTS,
         "base": "no row of base grains",
         "energy": "fewer than two rows in the time series",
     },
-    "empty": {
-        "density": "no contacts",
-        "forces": "no contact carries a force",
-        "base": "nothing rests on the base",
-        "energy": "nothing moved",
-    },
+    "empty": {**NO_CONTACTS, "base": "nothing rests on the base", "avalanches": NO_TRACK, "energy": "nothing moved"},
     "nothing": {
+        **NO_CONTACTS,
         "heap": "no grains",
-        "density": "no contacts",
-        "forces": "no contact carries a force",
         "base": "no row of base grains",
+        "avalanches": NO_TRACK,
         "energy": "fewer than two rows in the time series",
     },
+    "no_track": {"avalanches": NO_TRACK},
 }
 
 
@@ -124,7 +131,7 @@ def test_places_that_are_not_numbers_are_survived(tmp_path):
         file["grains/position"][-1] = np.nan
         file["contacts/normal_force"][:3] = np.nan
     assert main([str(folder), "--dpi", "50", "--format", "png"]) == 0
-    assert len(list((folder / "pictures").iterdir())) == 5
+    assert len(list((folder / "pictures").iterdir())) == len(PICTURES)
 
 
 def test_many_grains_become_pixels_in_svg(tmp_path, monkeypatch):
@@ -137,7 +144,8 @@ def test_many_grains_become_pixels_in_svg(tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     "arguments, complaint",
     [
-        (["--only", "heap,foo"], "unknown name 'foo', choose from heap, density, forces, base, energy"),
+        (["--only", "heap,foo"], f"unknown name 'foo', choose from {', '.join(PICTURES)}"),
+        (["--only", "profiles"], f"unknown name 'profiles', choose from {', '.join(PICTURES)}"),
         (["--format", "pdf"], "unknown name 'pdf', choose from png, svg"),
         (["--dpi", "many"], "'many' is not a whole number"),
         (["--frame", "last"], "'last' is not the number of a frame"),
@@ -153,7 +161,7 @@ def test_wrong_options_are_one_line(tmp_path, capsys, arguments, complaint):
 
 def test_no_folder_and_no_run_are_one_line(tmp_path, capsys):
     assert_complains(capsys, [str(tmp_path / "nowhere")], "no such folder")
-    assert_complains(capsys, [str(tmp_path)], "no run.h5 in this folder")
+    assert_complains(capsys, [str(tmp_path)], "no run.h5 or sweep.h5 in this folder")
 
 
 def test_pictures_that_cannot_be_written_are_one_line(tmp_path, capsys):
@@ -179,4 +187,4 @@ def test_as_a_module(tmp_path):
     command = [sys.executable, "-m", "repose.plot", str(tmp_path)]
     ended = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
     assert ended.returncode == 2
-    assert ended.stderr == f"repose plot: {tmp_path}: no run.h5 in this folder\n"
+    assert ended.stderr == f"repose plot: {tmp_path}: no run.h5 or sweep.h5 in this folder\n"

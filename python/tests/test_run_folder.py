@@ -96,7 +96,7 @@ def change_format(folder):
 
 def change_version(folder):
     with h5py.File(folder / "run.h5", "a") as file:
-        file.attrs["format_version"] = 2
+        file.attrs["format_version"] = 1
 
 
 def remove_format(folder):
@@ -114,12 +114,12 @@ def break_summary(folder):
 
 
 DAMAGES = {
-    remove_file: "no run.h5 in this folder",
+    remove_file: "no run.h5 or sweep.h5 in this folder",
     write_noise: "cannot be read",
     cut_short: "cannot be read",
     remove_radius: "radius",
     change_format: "not a run of Repose",
-    change_version: "format_version 2; this reads 1",
+    change_version: "format_version 1; this reads 2",
     remove_units: "no attribute units",
     remove_format: "not a run of Repose",
     break_summary: "summary.json: cannot be read",

@@ -15,6 +15,9 @@ STOP = "[stop]\ntime = 1\n"
 LATTICE = "[base]\nkind = 'row'\nhalf_width = 20\n[source]\nkind = 'lattice'\nrows = 5\n"
 
 WRONG_SCENES = {
+    "header without a key": ("seed = 1\n[?contact]\n", "scene.toml:2: a key must begin with a letter"),
+    "accent outside text": ("# été\ntitle = 'été'\nété = 1\n", "scene.toml:3: letters beyond ASCII may stand in text"),
+    "line break in a value": ("title = tru\nseed = 1\n", "scene.toml:1: Error while parsing boolean"),
     "lattice without rows": (LATTICE.replace("rows = 5\n", "") + STOP, "scene.toml:4: source.rows: missing"),
     "lattice without a base": ("[source]\nkind = 'lattice'\nrows = 5\n" + STOP, "scene.toml:2: source.kind = \"lattice\": needs a base"),
     "lattice wider than the base": (LATTICE.replace("5", "50") + STOP, "scene.toml:6: source.rows = 50: the pile must lie within"),

@@ -2,12 +2,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The standard pictures: each is a function of a RunFolder and a State that returns a figure or raises NotDrawn."""
 
-from repose.pictures import base, density, energy, forces, heap
+from repose.pictures import avalanches, base, chains, density, energy, force_distribution, forces, heap, stress, voronoi
 
 PICTURES = {
     "heap": heap.draw,
     "density": density.draw,
     "forces": forces.draw,
+    "chains": chains.draw,
+    "force_distribution": force_distribution.draw,
+    "voronoi": voronoi.draw,
+    "stress": stress.draw,
     "base": base.draw,
+    "avalanches": avalanches.draw,
     "energy": energy.draw,
 }

@@ -21,20 +21,26 @@ def draw(run, state):
     loaded = np.flatnonzero((normal != 0.0) | (shear != 0.0))
     if len(loaded) == 0:
         raise NotDrawn("nothing rests on the base")
+    units = style.units_of(run)
+    bins = run.analysis and run.analysis["base"]
     figure = Figure(figsize=(5.2, 3.6))
     upper, lower = figure.subplots(2, 1, sharex=True, gridspec_kw={"height_ratios": [2, 1]})
-    for axes, force, colour in ((upper, normal, style.BLUE), (lower, shear, style.ORANGE)):
+    for axes, name, force, colour in ((upper, "normal", normal, style.BLUE), (lower, "shear", shear, style.ORANGE)):
         axes.axhline(0.0, color=style.FAINT, linewidth=0.6, zorder=0)
         axes.plot(x, force, "o", color=colour, markersize=2.6, alpha=0.45, markeredgewidth=0, label="base grain")
-        axes.plot(x, running_mean(force, SMOOTHING), color=colour, linewidth=1.4, label=f"mean of {SMOOTHING} grains")
-    upper.set_ylabel("normal force\n(grain weights)")
-    lower.set_ylabel("shear force\n(grain weights)")
-    units = style.units_of(run)
+        if bins:
+            label = f"mean over {units.length_value(bins.attributes['bin_width'])} ± standard error"
+            banded(axes, bins["x"], bins[name], bins[f"{name}_error"], colour, label)
+        else:
+            mean = running_mean(force, SMOOTHING)
+            axes.plot(x, mean, color=colour, linewidth=1.4, label=f"mean of {SMOOTHING} grains")
+        axes.set_ylabel(f"{name} force\n(grain weights)")
     lower.set_xlabel(units.length("x"))
     margin = 4.0 * run.attributes["grain_diameter"]
     lower.set_xlim(x[loaded[0]] - margin, x[loaded[-1]] + margin)
     figure.align_ylabels()
-    upper.legend(loc="upper right")
+    handles, labels = upper.get_legend_handles_labels()
+    figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.08 / 5.2, 1.0 - 0.26 / 3.6), ncol=2)
 
     window = run.base.attributes
     text = f"mean over t = {window['window_start']:.6g} to {units.time_value(window['window_end'])}"
@@ -44,9 +50,15 @@ def draw(run, state):
             end = dip["centre"] + side * dip["half_width"]
             upper.axvline(end, ymax=0.7, color=style.GREY, linewidth=0.8, linestyle=":")
         text += f"; half width {units.length_value(dip['half_width'])} (dotted), dip index {dip['index']:.2f}"
-    figure.tight_layout(pad=0.4, rect=(0.0, 0.0, 1.0, 0.94))
+    figure.tight_layout(pad=0.4, rect=(0.0, 0.0, 1.0, 0.89))
     style.caption(figure, text)
     return figure
+
+
+def banded(axes, x, mean, error, colour, label):
+    """A line through binned means, in a band of their standard errors; no band where an error is not defined."""
+    axes.plot(x, mean, color=colour, linewidth=1.4, label=label)
+    axes.fill_between(x, mean - error, mean + error, color=colour, alpha=0.25, linewidth=0)
 
 
 def running_mean(values, count):

@@ -2,195 +2,249 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/analysis/fields.hpp"
 
+#include "repose/core/errors.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstddef>
 #include <numbers>
 #include <unordered_map>
-#include <utility>
 
 namespace repose {
 
 namespace {
 
-constexpr double tail = 8.5;  // widths
+constexpr double reach = 8.5;  // standard deviations
 constexpr double most_cells = 4e6;
 
-/// Points and weights of Gauss and Legendre on [0, 1], of order 16.
-constexpr std::array<std::pair<double, double>, 8> quadrature = {{{0.019855071751231884, 0.050614268145188130},
-                                                                  {0.101666761293186631, 0.111190517226687235},
-                                                                  {0.237233795041835507, 0.156853322938943644},
-                                                                  {0.408282678752175097, 0.181341891689180991},
-                                                                  {0.591717321247824903, 0.181341891689180991},
-                                                                  {0.762766204958164493, 0.156853322938943644},
-                                                                  {0.898333238706813369, 0.111190517226687235},
-                                                                  {0.980144928248768116, 0.050614268145188130}}};
+/// Gauss-Legendre rule with five points on [0, 1].
+struct Quadrature {
+  std::array<double, 5> place{};
+  std::array<double, 5> weight{};
 
-/// The Gaussian of one point over the cells of one axis: shares of cells first, first + 1, ...
-struct Shares {
-  long first = 0;
-  std::vector<double> share;
+  Quadrature() {
+    const double root = 2.0 * std::sqrt(10.0 / 7.0);
+    const std::array<double, 3> node{0.0, std::sqrt(5.0 - root) / 3.0, std::sqrt(5.0 + root) / 3.0};
+    const double near = (322.0 + 13.0 * std::sqrt(70.0)) / 1800.0;
+    const double far = 0.5 * (1.0 - 64.0 / 225.0 - 2.0 * near);  // the weights sum to one
+    place = {0.5 - 0.5 * node[2], 0.5 - 0.5 * node[1], 0.5, 0.5 + 0.5 * node[1], 0.5 + 0.5 * node[2]};
+    weight = {far, near, 64.0 / 225.0, near, far};
+  }
 };
 
-class Grid {
+/// A force that acts along a branch.
+struct Pull {
+  Vec<2> start{};   // [L]
+  Vec<2> branch{};  // [L] from `start` to the centre of the grain that feels the force
+  Vec<2> force{};   // [M L/T^2]
+  bool support = false;
+};
+
+/// Contacts of the heap, in the order of the list.
+std::vector<Pull> find_pulls(const Grains<2>& grains, const Contacts<2>& contacts, const std::vector<bool>& in_heap,
+                             const Box<2>& box) {
+  std::unordered_map<std::int64_t, std::size_t> place;
+  place.reserve(grains.size());
+  for (std::size_t k = 0; k < grains.size(); ++k) place.emplace(grains.id[k], k);
+  std::vector<Pull> pulls;
+  for (const auto& contact : contacts.list) {
+    const auto first = place.at(contact.first);
+    const Vec<2>& at_first = grains.line[first].position;
+    const Vec<2> force = force_of(contact);
+    if (contact.second < 0) {
+      const Vec<2> branch = contact.normal * contact.first_lever;
+      if (in_heap[first]) pulls.push_back({at_first - branch, branch, force, true});
+      continue;
+    }
+    const auto second = place.at(contact.second);
+    const Vec<2>& at_second = grains.line[second].position;
+    const Vec<2> between = separation(at_first, at_second, box);
+    const Vec<2> lever = contact.normal * contact.first_lever;
+    if (in_heap[first] && in_heap[second]) {
+      pulls.push_back({at_first - between, between, force, false});
+    } else if (in_heap[first]) {
+      pulls.push_back({at_first - lever, lever, force, true});
+    } else if (in_heap[second]) {
+      pulls.push_back({at_second + (between - lever), lever - between, -force, true});
+    }
+  }
+  return pulls;
+}
+
+/// Cells of one axis.
+struct Axis {
+  double origin = 0.0;  // [L] lower edge of cell 0
+  long count = 0;
+  bool wraps = false;
+};
+
+struct Grid {
+  double cell = 0.0;
+  std::array<Axis, 2> axis{};
+
+  double cells() const { return static_cast<double>(axis[0].count) * static_cast<double>(axis[1].count); }
+};
+
+/// Cells of about `cell` [L] that cover the places from `low` to `high` and their surroundings.
+Grid make_grid(const Vec<2>& low, const Vec<2>& high, const Box<2>& box, double width, double cell) {
+  Grid grid;
+  grid.cell = cell;
+  if (box.periodic) {
+    const double columns = std::max(1.0, std::ceil(box.width() / cell * (1.0 - 1e-12)));
+    grid.cell = box.width() / columns;
+    grid.axis[0] = {box.x_min, static_cast<long>(columns), true};
+  }
+  for (int k = box.periodic ? 1 : 0; k < 2; ++k) {
+    const double first = std::floor((low[k] - reach * width) / grid.cell);
+    const double last = std::floor((high[k] + reach * width) / grid.cell);
+    grid.axis[static_cast<std::size_t>(k)] = {first * grid.cell, static_cast<long>(last - first) + 1, false};
+  }
+  return grid;
+}
+
+/// What a Gaussian, at a point or averaged along a line, gives to each cell near it; the shares sum to one.
+class Smear {
  public:
-  Grid(const Grains<2>& grains, const std::vector<bool>& in_heap, const Box<2>& box, double width);
+  Smear(const Grid& grid, double width) : grid_(grid), width_(width) {}
 
-  bool empty() const { return columns_ == 0; }
-  /// Zero everywhere.
-  std::vector<double> field() const { return std::vector<double>(static_cast<std::size_t>(columns_ * rows_), 0.0); }
-  void fill_places(Fields& fields) const;
+  void at(const Vec<2>& point) {
+    open(point, point);
+    spread(point, 1.0);
+  }
 
-  /// Calls `add(cell, share)` for every cell that the Gaussian about a point reaches.
-  template <class Add>
-  void spread(const Vec<2>& point, const Add& add);
+  void along(const Vec<2>& start, const Vec<2>& branch) {
+    open(start, start + branch);
+    const double pieces = std::max(1.0, std::ceil(magnitude(branch) / width_));
+    for (double piece = 0.0; piece < pieces; piece += 1.0) {
+      for (std::size_t k = 0; k < quadrature_.place.size(); ++k)
+        spread(start + branch * ((piece + quadrature_.place[k]) / pieces), quadrature_.weight[k] / pieces);
+    }
+  }
+
+  /// Adds `total` times the shares to a field, as a density.
+  void add(std::vector<double>& field, double total) const {
+    const double scale = total / squared(grid_.cell);
+    const auto& columns = grid_.axis[0];
+    for (std::size_t row = 0; row < count_[1]; ++row) {
+      const double* share = shares_.data() + row * count_[0];
+      double* line = field.data() + (first_[1] + static_cast<long>(row)) * columns.count;
+      long column = columns.wraps ? ((first_[0] % columns.count) + columns.count) % columns.count : first_[0];
+      for (std::size_t k = 0; k < count_[0]; ++k) {
+        line[column] += scale * share[k];
+        if (++column == columns.count) column = 0;
+      }
+    }
+  }
 
  private:
-  void shares(double place, Shares& shares) const;
+  long cell_at(double place, std::size_t axis) const {
+    return static_cast<long>(std::floor((place - grid_.axis[axis].origin) / grid_.cell));
+  }
 
+  /// Clears the shares of the cells around a line.
+  void open(const Vec<2>& start, const Vec<2>& end) {
+    for (int k = 0; k < 2; ++k) {
+      const auto axis = static_cast<std::size_t>(k);
+      first_[axis] = cell_at(std::min(start[k], end[k]) - reach * width_, axis);
+      long last = cell_at(std::max(start[k], end[k]) + reach * width_, axis);
+      if (!grid_.axis[axis].wraps) {  // rounding may reach past the outermost cell
+        first_[axis] = std::max(first_[axis], 0L);
+        last = std::min(last, grid_.axis[axis].count - 1);
+      }
+      count_[axis] = static_cast<std::size_t>(last - first_[axis] + 1);
+      along_[axis].resize(count_[axis]);
+    }
+    shares_.assign(count_[0] * count_[1], 0.0);
+  }
+
+  void spread(const Vec<2>& point, double weight) {
+    for (int k = 0; k < 2; ++k) {
+      const auto axis = static_cast<std::size_t>(k);
+      const double scale = std::numbers::sqrt2 * width_;
+      const double start = grid_.axis[axis].origin + static_cast<double>(first_[axis]) * grid_.cell - point[k];
+      double below = std::erf(start / scale);
+      for (std::size_t j = 0; j < count_[axis]; ++j) {
+        const double upto = std::erf((start + static_cast<double>(j + 1) * grid_.cell) / scale);
+        along_[axis][j] = 0.5 * (upto - below);
+        below = upto;
+      }
+    }
+    for (std::size_t row = 0; row < count_[1]; ++row) {
+      const double factor = weight * along_[1][row];
+      double* share = shares_.data() + row * count_[0];
+      for (std::size_t k = 0; k < count_[0]; ++k) share[k] += factor * along_[0][k];
+    }
+  }
+
+  Grid grid_;
   double width_;
-  double cell_ = 0.0;
-  long first_column_ = 0;  // the grid's edges are at multiples of the cell, in a periodic box from its side
-  long first_row_ = 0;
-  long columns_ = 0;
-  long rows_ = 0;
-  bool periodic_ = false;
-  double origin_ = 0.0;
-  Shares along_x_;
-  Shares along_y_;
+  Quadrature quadrature_;
+  std::array<long, 2> first_{};  // of a wrapping axis, before wrapping
+  std::array<std::size_t, 2> count_{};
+  std::array<std::vector<double>, 2> along_;
+  std::vector<double> shares_;
 };
 
-Grid::Grid(const Grains<2>& grains, const std::vector<bool>& in_heap, const Box<2>& box, double width)
-    : width_(width), cell_(0.5 * width), periodic_(box.periodic) {
-  Vec<2> low{{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}};
-  Vec<2> high = low * -1.0;
-  for (std::size_t k = 0; k < grains.size(); ++k) {
-    if (!in_heap[k]) continue;
-    const auto& grain = grains.line[k];
-    // Contact points with supports may lie a diameter outside the centres.
-    for (int axis = 0; axis < 2; ++axis) {
-      low[axis] = std::min(low[axis], grain.position[axis] - 2.0 * grain.radius);
-      high[axis] = std::max(high[axis], grain.position[axis] + 2.0 * grain.radius);
-    }
-  }
-  if (!(low[0] <= high[0])) return;
-  const double wide = periodic_ ? box.width() : high[0] - low[0] + 2.0 * tail * width;
-  const double tall = high[1] - low[1] + 2.0 * tail * width;
-  cell_ = std::max(cell_, std::sqrt(wide * tall / most_cells));
-  const auto at = [&](double place) { return static_cast<long>(std::floor(place / cell_)); };
-  if (periodic_) {
-    columns_ = std::max(1L, static_cast<long>(std::ceil(wide / cell_)));
-    cell_ = wide / static_cast<double>(columns_);
-    origin_ = box.x_min;
-  } else {
-    first_column_ = at(low[0] - tail * width);
-    columns_ = at(high[0] + tail * width) - first_column_ + 1;
-  }
-  first_row_ = at(low[1] - tail * width);
-  rows_ = at(high[1] + tail * width) - first_row_ + 1;
-}
-
-void Grid::fill_places(Fields& fields) const {
-  fields.width = width_;
-  fields.cell = cell_;
-  for (long k = 0; k < columns_; ++k) {
-    fields.x.push_back(origin_ + (static_cast<double>(first_column_ + k) + 0.5) * cell_);
-  }
-  for (long k = 0; k < rows_; ++k) fields.y.push_back((static_cast<double>(first_row_ + k) + 0.5) * cell_);
-}
-
-void Grid::shares(double place, Shares& shares) const {
-  shares.first = static_cast<long>(std::floor((place - tail * width_) / cell_));
-  const long last = static_cast<long>(std::floor((place + tail * width_) / cell_));
-  shares.share.clear();
-  const auto below = [&](long edge) {
-    return 0.5 * std::erfc((place - static_cast<double>(edge) * cell_) / (width_ * std::numbers::sqrt2));
-  };
-  double left = below(shares.first);
-  for (long k = shares.first; k <= last; ++k) {
-    const double right = below(k + 1);
-    shares.share.push_back(right - left);
-    left = right;
-  }
-}
-
-template <class Add>
-void Grid::spread(const Vec<2>& point, const Add& add) {
-  shares(point[0] - origin_, along_x_);
-  shares(point[1], along_y_);
-  for (std::size_t m = 0; m < along_y_.share.size(); ++m) {
-    const long row = along_y_.first + static_cast<long>(m) - first_row_;
-    if (row < 0 || row >= rows_) continue;
-    for (std::size_t k = 0; k < along_x_.share.size(); ++k) {
-      long column = along_x_.first + static_cast<long>(k) - first_column_;
-      if (periodic_) column = (column % columns_ + columns_) % columns_;
-      if (column < 0 || column >= columns_) continue;
-      add(static_cast<std::size_t>(row * columns_ + column), along_x_.share[k] * along_y_.share[m]);
-    }
-  }
+std::vector<double> centres(const Axis& axis, double cell) {
+  std::vector<double> places;
+  for (long k = 0; k < axis.count; ++k) places.push_back(axis.origin + (static_cast<double>(k) + 0.5) * cell);
+  return places;
 }
 
 }  // namespace
 
 Fields coarse_grained(const Grains<2>& grains, const Contacts<2>& contacts, const std::vector<bool>& in_heap,
                       const Box<2>& box, double width) {
+  REPOSE_ASSERT(width > 0.0 && in_heap.size() == grains.size());
   Fields fields;
   fields.width = width;
-  Grid grid(grains, in_heap, box, width);
-  if (grid.empty()) return fields;
-  grid.fill_places(fields);
-  fields.density = grid.field();
-  fields.solid_fraction = grid.field();
-  for (auto& component : fields.stress) component = grid.field();
-  for (auto& component : fields.support) component = grid.field();
-  const double per_area = 1.0 / (fields.cell * fields.cell);
-
-  std::unordered_map<std::int64_t, std::size_t> place;
-  for (const auto k : by_id(grains)) {
-    place.emplace(grains.id[k], k);
-    if (!in_heap[k]) continue;
-    const auto& grain = grains.line[k];
-    const double mass = grain.mass * per_area;
-    const double area = std::numbers::pi * grain.radius * grain.radius * per_area;
-    grid.spread(grain.position, [&](std::size_t cell, double share) {
-      fields.density[cell] += mass * share;
-      fields.solid_fraction[cell] += area * share;
-    });
+  fields.cell = 0.5 * width;
+  const auto pulls = find_pulls(grains, contacts, in_heap, box);
+  std::vector<Vec<2>> places;
+  for (std::size_t k = 0; k < grains.size(); ++k)
+    if (in_heap[k]) places.push_back(grains.line[k].position);
+  if (places.empty()) return fields;
+  for (const auto& pull : pulls) {
+    places.push_back(pull.start);
+    places.push_back(pull.start + pull.branch);
+  }
+  Vec<2> low = places.front();
+  Vec<2> high = low;
+  for (const auto& place : places) {
+    for (int k = 0; k < 2; ++k) {
+      low[k] = std::min(low[k], place[k]);
+      high[k] = std::max(high[k], place[k]);
+    }
   }
 
-  for (const auto& contact : contacts.list) {
-    const auto first = place.at(contact.first);
-    const bool first_counts = in_heap[first];
-    const bool second_counts = contact.second >= 0 && in_heap[place.at(contact.second)];
-    if (!first_counts && !second_counts) continue;
-    const Vec<2> force = force_of(contact) * per_area;
-    const Vec<2> centre = grains.line[first].position;
-    const Vec<2> point = centre - contact.normal * contact.first_lever;
-    // The branch ends at the first partner; at a support it runs between the contact point and the grain of the heap.
-    Vec<2> start = point;
-    Vec<2> branch = centre - point;
-    if (second_counts) {
-      const Vec<2> whole = separation(centre, grains.line[place.at(contact.second)].position, box);
-      start = centre - whole;
-      branch = first_counts ? whole : point - start;
-    }
-    for (const auto& [along, weight] : quadrature) {
-      const Vec<2> xx_xy = branch * (weight * force[0]);
-      const Vec<2> yx_yy = branch * (weight * force[1]);
-      grid.spread(start + branch * along, [&](std::size_t cell, double share) {
-        fields.stress[0][cell] += xx_xy[0] * share;
-        fields.stress[1][cell] += xx_xy[1] * share;
-        fields.stress[2][cell] += yx_yy[0] * share;
-        fields.stress[3][cell] += yx_yy[1] * share;
-      });
-    }
-    if (first_counts != second_counts) {
-      const Vec<2> on_heap = first_counts ? force : force * -1.0;
-      grid.spread(point, [&](std::size_t cell, double share) {
-        fields.support[0][cell] += on_heap[0] * share;
-        fields.support[1][cell] += on_heap[1] * share;
-      });
-    }
+  Grid grid = make_grid(low, high, box, width, fields.cell);
+  for (double cell = fields.cell; grid.cells() > most_cells; grid = make_grid(low, high, box, width, cell))
+    cell *= 1.25;
+  fields.cell = grid.cell;
+  fields.x = centres(grid.axis[0], grid.cell);
+  fields.y = centres(grid.axis[1], grid.cell);
+  const auto cells = fields.x.size() * fields.y.size();
+  fields.density.assign(cells, 0.0);
+  fields.solid_fraction.assign(cells, 0.0);
+  for (auto& component : fields.stress) component.assign(cells, 0.0);
+  for (auto& component : fields.support) component.assign(cells, 0.0);
+
+  Smear smear(grid, width);
+  for (const auto k : by_id(grains)) {
+    if (!in_heap[k]) continue;
+    const auto& grain = grains.line[k];
+    smear.at(grain.position);
+    smear.add(fields.density, grain.mass);
+    smear.add(fields.solid_fraction, std::numbers::pi * squared(grain.radius));
+  }
+  for (const auto& pull : pulls) {
+    smear.along(pull.start, pull.branch);
+    for (int a = 0; a < 2; ++a)
+      for (int b = 0; b < 2; ++b)
+        smear.add(fields.stress[static_cast<std::size_t>(2 * a + b)], pull.force[a] * pull.branch[b]);
+    if (!pull.support) continue;
+    smear.at(pull.start);
+    for (int a = 0; a < 2; ++a) smear.add(fields.support[static_cast<std::size_t>(a)], pull.force[a]);
   }
   return fields;
 }

@@ -38,8 +38,8 @@ std::string apply(const std::string& setting, const std::string& origin, toml::t
   const std::string value = trimmed(setting.substr(equals + 1));
   toml::table holder;
   try {
-    holder = toml::parse("value = " + value);
-  } catch (const toml::parse_error&) {
+    holder = parsed_toml("value = " + value, origin);
+  } catch (const InputError&) {
     holder.insert_or_assign("value", value);  // a bare word is text
   }
   toml::table* table = &root;

@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/scene/keys.hpp"
+#include "repose/scene/toml_file.hpp"
+
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
-
-// The library is used as headers only, inside this folder.
-#include "repose/scene/keys.hpp"
-
-#include <toml++/toml.h>
 
 namespace repose {
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -13,6 +14,54 @@
 #include <sstream>
 
 namespace repose {
+
+namespace {
+
+/// Number of the first line that looks like a header without a proper key; 0 if there is none.
+int line_of_bad_header(const std::string& text) {
+  std::istringstream lines(text);
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    const auto begin = line.find_first_not_of(" \t");
+    if (begin == std::string::npos || line[begin] != '[') continue;
+    const auto key = line.find_first_not_of("[ \t", begin);
+    const bool proper = key != std::string::npos && (std::isalnum(static_cast<unsigned char>(line[key])) != 0 ||
+                                                     std::string("_-\"'").find(line[key]) != std::string::npos);
+    if (!proper) return number;
+  }
+  return 0;
+}
+
+/// Number of the first line with a character beyond ASCII outside strings and comments, where TOML has none (and toml++
+/// does not look before it leaps); 0 if there is none.
+int line_of_foreign_character(const std::string& text) {
+  int number = 1;
+  std::string closing;  // of the string or comment that we are in; empty outside
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const char c = text[k];
+    if (c == '\n') ++number;
+    if (closing.empty()) {
+      if (static_cast<unsigned char>(c) >= 0x80) return number;
+      if (c == '#') closing = "\n";
+      if (c == '"' || c == '\'') {
+        const bool long_one = text.compare(k, 3, std::string(3, c)) == 0;
+        closing = std::string(long_one ? 3 : 1, c);
+        if (long_one) k += 2;
+      }
+    } else if (c == '\\' && closing.front() == '"') {
+      ++k;
+    } else if (text.compare(k, closing.size(), closing) == 0) {
+      k += closing.size() - 1;
+      closing.clear();
+    } else if (c == '\n' && closing.size() == 1) {
+      closing.clear();  // a short string that was not closed
+    }
+  }
+  return 0;
+}
+
+}  // namespace
 
 std::string text_of_file(const std::string& path) {
   errno = 0;
@@ -26,10 +75,16 @@ std::string text_of_file(const std::string& path) {
 }
 
 toml::table parsed_toml(const std::string& text, const std::string& name) {
+  if (const int line = line_of_foreign_character(text); line > 0) {
+    throw InputError(fmt::format("{}:{}: letters beyond ASCII may stand in text and comments only", name, line));
+  }
   try {
     return toml::parse(text, name);
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}:{}: {}", name, error.source().begin.line, error.description()));
+  } catch (const TomlAssumptionError&) {
+    throw InputError(fmt::format("{}:{}: a key must begin with a letter, a digit, _, - or a quotation mark", name,
+                                 line_of_bad_header(text)));
   }
 }
 

@@ -2,10 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <stdexcept>
 #include <string>
 
-// The library is used as headers only, inside this folder.
+// toml++ takes for granted that a key begins like one; a header such as [?] breaks that, and the program with it. Its
+// assumptions are therefore checked in every build, and one that does not hold ends the reading. The library is used as
+// headers only, inside this folder, and always through this file.
+namespace repose {
+struct TomlAssumptionError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+constexpr void check_toml_assumption(bool holds) {
+  if (!holds) throw TomlAssumptionError("not TOML");
+}
+}  // namespace repose
+#define TOML_ASSERT(expression) ::repose::check_toml_assumption(static_cast<bool>(expression))
+#pragma push_macro("NDEBUG")
+#undef NDEBUG
 #include <toml++/toml.h>
+#pragma pop_macro("NDEBUG")
 
 namespace repose {
 

@@ -1,0 +1,94 @@
+# SPDX-FileCopyrightText: 2026 The Repose developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Coarse-grained fields of a heap: solid fraction, and pressure with bars along the major principal stress."""
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.collections import LineCollection
+from matplotlib.colors import Normalize
+from matplotlib.lines import Line2D
+
+from repose import style
+from repose.field import BAR_ROW, LEGEND_ROW, bar_above, legend_above, make_fields
+from repose.marks import add_discs, add_planes
+from repose.not_drawn import NotDrawn
+from repose.pictures.needed import analysed
+
+LEAST = 0.2  # solid fraction below which nothing is drawn: the Gaussian reaches beyond the surface
+RANGE = 0.3  # of the largest solid fraction, that the colours span: the surface is below, and grey
+PITCH = 0.17  # inch between bars, at least
+LONGEST = 0.6  # (s1 - s2)/(s1 + s2) of a bar as long as the pitch
+KEY = 0.3
+
+
+def draw(run, state):
+    """Figure of the last state."""
+    table = analysed(run, state, "fields", "no heap")
+    dense = table["solid_fraction"] >= LEAST
+    if not dense.any():
+        raise NotDrawn("no heap")
+    pressure, anisotropy, angle = principal(table)
+    packing_field, field = make_fields(run, state, [BAR_ROW, BAR_ROW + LEGEND_ROW])
+    solid_fraction = np.ma.masked_where(~dense, table["solid_fraction"])
+    top = 0.05 * np.ceil(solid_fraction.max() / 0.05)
+    colours = colormaps[style.PACKING].with_extremes(under=style.FAINT)
+    packing = _map(packing_field, table, solid_fraction, colours, Normalize((1.0 - RANGE) * top, top))
+    load = np.ma.masked_where(~dense, pressure)
+    load_map = _map(field, table, load, style.LOAD, Normalize(min(0.0, load.min()), load.max() or 1.0))
+    bars, pitch = _bars(table, field, dense & (pressure > 0.0), anisotropy, angle)
+    width = min(0.9, 0.06 * pitch * field.points_per_length)
+    field.axes.add_collection(LineCollection(bars, colors=style.INK, linewidths=width), autolim=False)
+    for each in (packing_field, field):
+        add_planes(each, run)
+        look = dict(facecolor=style.HELD, edgecolor="white", linewidth=0.25, zorder=2.5)
+        add_discs(each, run, state, state.grains.held, **look)
+    units = style.units_of(run)
+    packing_field.axes.set_xlabel("")
+    title = f"solid fraction, Gaussian of width {units.length_value(table.attributes['width'])}"
+    bar_above(packing_field, packing, title, extend="min")
+    bar_above(field, load_map, units.stress("pressure"))
+    legend_above(field, [_key(pitch * field.points_per_length, width)], down=BAR_ROW)
+    return field.figure
+
+
+def principal(table):
+    """Pressure (s1 + s2)/2, (s1 - s2)/(s1 + s2), and the angle of the axis of s1 from x; NaN where there is none."""
+    xx, yy = table["stress_xx"], table["stress_yy"]
+    xy = 0.5 * (table["stress_xy"] + table["stress_yx"])
+    pressure = 0.5 * (xx + yy)
+    deviator = np.hypot(0.5 * (xx - yy), xy)
+    anisotropy = np.divide(deviator, pressure, out=np.full_like(pressure, np.nan), where=pressure > 0.0)
+    return pressure, anisotropy, 0.5 * np.arctan2(2.0 * xy, xx - yy)
+
+
+def _edges(centres, cell):
+    return np.append(centres - 0.5 * cell, centres[-1] + 0.5 * cell)
+
+
+def _map(field, table, values, colours, norm):
+    cell = table.attributes["cell"]
+    x, y = (_edges(table[name], cell) for name in ("x", "y"))
+    return field.axes.pcolormesh(x, y, values, cmap=colours, norm=norm, rasterized=True, zorder=0.4)
+
+
+def _bars(table, field, chosen, anisotropy, angle):
+    """Lines (K, 2, 2) [L] at every n-th cell in x and y, and the distance [L] between those cells."""
+    cell = table.attributes["cell"]
+    step = max(1, int(np.ceil(PITCH * 72.0 / field.points_per_length / cell)))
+    row, column = (np.arange(0, len(table[name]), step) + (len(table[name]) - 1) % step // 2 for name in ("y", "x"))
+    at = np.array([(r, c) for r in row for c in column if r < chosen.shape[0] and c < chosen.shape[1] and chosen[r, c]])
+    if len(at) == 0:
+        return np.empty((0, 2, 2)), step * cell
+    r, c = at.T
+    half = 0.5 * step * cell * np.minimum(anisotropy[r, c] / LONGEST, 1.0)
+    along = half[:, None] * np.column_stack([np.cos(angle[r, c]), np.sin(angle[r, c])])
+    centre = np.column_stack([table["x"][c], table["y"][r]])
+    return np.stack([centre - along, centre + along], axis=1), step * cell
+
+
+def _key(pitch, width):
+    """A bar of the length of KEY; `pitch` and `width` in points."""
+    length = pitch * KEY / LONGEST
+    name = f"axis of the major principal stress; this long: (σ₁ − σ₂)/(σ₁ + σ₂) = {KEY:g}"
+    bar = dict(linestyle="none", marker="_", markersize=length, markeredgewidth=width, color=style.INK)
+    return Line2D([], [], label=name, **bar)

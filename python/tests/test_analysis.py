@@ -1,0 +1,112 @@
+# SPDX-FileCopyrightText: 2026 The Repose developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The reader gives the groups of analysis.h5, None for those that are absent, and one line about damage."""
+
+import h5py
+import numpy as np
+import pytest
+from synthetic import base_row, pyramid, write_run
+
+import repose
+from repose.analysis import GROUPS
+from repose.not_drawn import NotDrawn
+from repose.pictures import PICTURES
+
+OTHERWISE = {
+    "voronoi": ("voronoi", "no heap"),
+    "fields": ("stress", "no heap"),
+    "forces": ("force_distribution", "no contact carries a force that counts"),
+    "chains": ("chains", "no contact carries a force that counts"),
+    "motion": ("avalanches", "no track: output.track = 0"),
+}  # by group the picture that needs it and why it is left out
+
+
+@pytest.fixture
+def folder(tmp_path):
+    return write_run(tmp_path / "run", pyramid(6), base_row(6))
+
+
+def change(folder, damage):
+    with h5py.File(folder / "analysis.h5", "a") as file:
+        damage(file)
+
+
+def test_reads_what_was_written(folder):
+    run = repose.open(folder)
+    assert list(run.analysis) == list(GROUPS)
+    assert run.analysis.attributes["time"] == 120.0
+    assert run.surface is run.analysis["surface"]
+    assert run.surface.attributes["bin_width"] == 1.0
+    assert run.analysis["base"].attributes["bin_width"] == 3.0
+    assert len(run.analysis["voronoi"]["offset"]) == 20 + 1
+    assert run.analysis["voronoi"]["vertices"].shape == (120, 2)
+    assert run.analysis["fields"]["stress_xy"].shape == run.analysis["fields"]["density"].shape
+    assert len(run.analysis["chains"]["chain"]) == len(run.state.contacts)
+    assert list(run.analysis["avalanches"]["size"]) == [12, 30]
+    assert run.analysis["bursts"].attributes["threshold"] == 5.0
+
+
+def test_without_analysis(folder):
+    (folder / "analysis.h5").unlink()
+    run = repose.open(folder)
+    assert run.analysis is None and run.surface is None
+    for picture in ("chains", "force_distribution", "voronoi", "stress", "avalanches"):
+        with pytest.raises(NotDrawn, match="no analysis.h5 of the last state .repose analyse DIR writes it."):
+            PICTURES[picture](run, run.state)
+    for picture in ("heap", "density", "forces", "base", "energy"):
+        assert PICTURES[picture](run, run.state)
+
+
+@pytest.mark.parametrize("group", OTHERWISE)
+def test_group_that_is_absent(folder, group):
+    change(folder, lambda file: file.pop(group))
+    run = repose.open(folder)
+    assert run.analysis[group] is None
+    picture, reason = OTHERWISE[group]
+    with pytest.raises(NotDrawn, match=reason):
+        PICTURES[picture](run, run.state)
+
+
+def test_analysis_does_not_belong_to_a_frame(folder):
+    run = repose.open(folder)
+    for picture, _ in OTHERWISE.values():
+        with pytest.raises(NotDrawn, match="not to a frame"):
+            PICTURES[picture](run, run.frame(0))
+    assert not PICTURES["heap"](run, run.frame(0)).legends  # no flanks
+
+
+def test_analysis_of_an_earlier_state_is_none(folder):
+    change(folder, lambda file: file.attrs.modify("time", 100.0))
+    assert repose.open(folder).analysis is None
+
+
+def test_analysis_of_other_contacts_is_none(folder):
+    def damage(file):
+        del file["chains/chain"]
+        file["chains/chain"] = np.zeros(3, dtype=int)
+
+    change(folder, damage)
+    assert repose.open(folder).analysis is None
+
+
+DAMAGES = {
+    "another format": (lambda file: file.attrs.modify("format", np.bytes_(b"repose-run")), "not an analysis of Repose"),
+    "another version": (lambda file: file.attrs.modify("format_version", 2), "format_version 2; this reads 1"),
+    "no time": (lambda file: file.attrs.pop("time"), "not as the format says: no attribute time"),
+    "no area": (lambda file: file.pop("voronoi/area"), "not as the format says: no dataset /voronoi/area"),
+}
+
+
+@pytest.mark.parametrize("kind", DAMAGES)
+def test_damage_is_named_in_one_line(folder, kind):
+    damage, complaint = DAMAGES[kind]
+    change(folder, damage)
+    with pytest.raises(repose.RunFolderError, match=f"analysis.h5: {complaint}") as caught:
+        repose.open(folder)
+    assert "\n" not in str(caught.value)
+
+
+def test_file_that_is_no_hdf5(folder):
+    (folder / "analysis.h5").write_text("no HDF5")
+    with pytest.raises(repose.RunFolderError, match="analysis.h5: cannot be read"):
+        repose.open(folder)
