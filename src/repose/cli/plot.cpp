@@ -44,8 +44,8 @@ std::string from_environment(const char* name, const char* otherwise) {
 Command add_plot(CLI::App& app) {
   auto arguments = std::make_shared<std::vector<std::string>>();
   auto folder = std::make_shared<std::string>();
-  auto* command = app.add_subcommand("plot", "Draw the standard pictures of a run folder");
-  command->add_option("DIR", *folder, "Run folder")->required();
+  auto* command = app.add_subcommand("plot", "Draw the standard pictures of a run folder or a sweep");
+  command->add_option("DIR", *folder, "Run folder or sweep folder")->required();
   const auto pass_on = [&](const std::string& option, const std::string& about) {
     command->add_option_function<std::string>(
         option,
@@ -55,7 +55,7 @@ Command add_plot(CLI::App& app) {
         },
         about);
   };
-  pass_on("--only", "Pictures to draw: heap,density,forces,base,energy");
+  pass_on("--only", "Pictures to draw; a wrong name lists them");
   pass_on("--format", "png,svg");
   pass_on("--dpi", "Resolution of PNG");
   pass_on("--frame", "A saved frame instead of the last state");
