@@ -3,17 +3,23 @@
 //
 // Feeds the readers of scenes and sweeps with whatever libFuzzer thinks of (./dev validate). The input is the text of a
 // scene; lines after a line "#set" are settings as of --set; what follows "#sweep" instead is a sweep file.
+// Half of the changes put an odd value where a value stands: changes of bytes alone hardly ever make one.
 #include "repose/core/errors.hpp"
 #include "repose/scene/read.hpp"
 #include "repose/scene/sweep_plan.hpp"
 #include "repose/scene/write.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
+#include <random>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -24,11 +30,11 @@ using namespace repose;
   std::abort();
 }
 
-/// Every problem is one line that says where.
-void check_problems(const InputError& error) {
+/// Every problem is one line that says where: in the file or folder of that name, at an absolute path, or in a setting.
+void check_problems(const InputError& error, const std::string& name) {
   if (error.problems().empty()) complain("a refusal without a reason", "");
   for (const auto& line : error.problems()) {
-    const bool placed = line.starts_with("fuzz") || line.starts_with("--set") || line.starts_with("/");
+    const bool placed = line.starts_with(name) || line.starts_with("/") || line.starts_with("--set");
     if (!placed || line.find('\n') != std::string::npos) complain("a problem that is not one line with a place", line);
   }
 }
@@ -39,7 +45,7 @@ void check_scene(const std::string& text, const Overrides& overrides) {
   try {
     written = scene_text(read_scene_text(text, "fuzz", overrides));
   } catch (const InputError& error) {
-    check_problems(error);
+    check_problems(error, "fuzz");
     return;
   }
   try {
@@ -51,17 +57,79 @@ void check_scene(const std::string& text, const Overrides& overrides) {
 }
 
 void check_sweep(const std::string& text) {
-  const char* folder = std::getenv("TMPDIR");
-  const std::string path = std::string(folder != nullptr ? folder : "/tmp") + "/fuzz-sweep.toml";
+  const char* given = std::getenv("TMPDIR");
+  const std::string folder = given != nullptr ? given : "/tmp";
+  const std::string path = folder + "/fuzz-sweep.toml";
   std::ofstream(path, std::ios::binary) << text;
   try {
     read_sweep(path);
   } catch (const InputError& error) {
-    check_problems(error);
+    check_problems(error, folder);
   }
 }
 
+constexpr std::array odd_values = {"0",
+                                   "-1",
+                                   "-0.0",
+                                   "1e-3",
+                                   "5e-324",
+                                   "1e-320",
+                                   "1e-200",
+                                   "1e200",
+                                   "1e306",
+                                   "1e308",
+                                   "-1e308",
+                                   "inf",
+                                   "-inf",
+                                   "nan",
+                                   "1000001",
+                                   "4000",
+                                   "1e6",
+                                   "true",
+                                   "false",
+                                   "9007199254740993",
+                                   "9223372036854775807",
+                                   "\"\"",
+                                   "\"none\"",
+                                   "\"auto\"",
+                                   "\"row\"",
+                                   "\"lattice\"",
+                                   "\"hooke\"",
+                                   "\"linear\"",
+                                   "[]",
+                                   "{}",
+                                   "[0.01]",
+                                   "[1, 2]",
+                                   "{ a = 1 }",
+                                   "2026-01-01",
+                                   "-9223372036854775808"};
+
+/// The text with another value behind one of its equals signs.
+std::string with_odd_value(const std::string& text, std::minstd_rand& random) {
+  std::vector<std::size_t> places;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    if (text[k] == '=') places.push_back(k + 1);
+  }
+  if (places.empty()) return text;
+  const auto begin = places[random() % places.size()];
+  const auto value = text.find_first_not_of(' ', begin);
+  // To the end of a word, a number or a short text; of a list or table only the first, so that all comes about.
+  const auto end = std::min(text.find_first_of(" ,}]\n", value), text.size());
+  return text.substr(0, begin) + " " + odd_values[random() % odd_values.size()] + text.substr(end);
+}
+
 }  // namespace
+
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
+  std::minstd_rand random(seed);
+  if (random() % 2 == 0) return LLVMFuzzerMutate(data, size, most);
+  const auto text = with_odd_value(std::string(reinterpret_cast<const char*>(data), size), random);
+  if (text.size() > most) return LLVMFuzzerMutate(data, size, most);
+  std::memcpy(data, text.data(), text.size());
+  return text.size();
+}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string input(reinterpret_cast<const char*>(data), size);

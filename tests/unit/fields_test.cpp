@@ -139,6 +139,30 @@ TEST(Fields, StressOfTheLatticePile) {
   EXPECT_GT(compared, 20U);
 }
 
+// The force of the ground on the pile per length of base, read off the field of supports: the base discs lie a diameter
+// apart, so N = 23 everywhere away from the ends, and H = (n_l - n_r)/(2 sqrt 3) m g on the ground, the opposite on the
+// pile (Liffman et al. 1992, eqs 42, 44). The ripple of the row is damped by exp(-2 pi^2) = 3e-9 for w = 1.
+TEST(Fields, BaseProfileOfTheLatticePile) {
+  const auto pile = lattice_pile(45);
+  const auto fields = coarse_grained(pile.grains, pile.contacts, all_of(pile.grains), {}, 1.0);
+  const auto columns = fields.x.size();
+  std::size_t compared = 0;
+  for (std::size_t column = 0; column < columns; ++column) {
+    const double x = fields.x[column];
+    if (x < 7.0 || x > 37.0) continue;
+    ++compared;
+    double normal = 0.0;
+    double shear = 0.0;
+    for (std::size_t cell = column; cell < fields.density.size(); cell += columns) {
+      shear += fields.support[0][cell] * fields.cell;
+      normal += fields.support[1][cell] * fields.cell;
+    }
+    EXPECT_NEAR(normal, 23.0, 1e-5);
+    EXPECT_NEAR(shear, -(2.0 * x - 44.0) / (2.0 * std::sqrt(3.0)), 1e-5);
+  }
+  EXPECT_GT(compared, 50U);
+}
+
 TEST(Fields, TotalsOfStressAndSupport) {
   const auto pile = lattice_pile(12);
   double fb[2][2] = {};

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ctime>
 
 namespace repose {
 namespace {
@@ -137,6 +138,113 @@ TEST(SceneRead, UnstableStepIsRefusedWithTheLargestThatIsNot) {
   const double largest = std::stod(lines[0].substr(begin));
   EXPECT_TRUE(step(std::to_string(0.99 * largest)).empty());
   EXPECT_FALSE(step(std::to_string(1.01 * largest)).empty());
+}
+
+// What the fuzzer (tests/fuzz) and a reading of the code with it in mind found; each line was a crash or a silence.
+const std::string one_grain = "[[grain]]\nposition = [0.0, 1.0]\n[stop]\ntime = 1\n";
+
+// No key of ours in quotation marks with dots or brackets in them: such a key was ignored without a word, or looked up
+// as an entry of a list.
+TEST(SceneRead, QuotedNamesThatLookLikePathsAreUnknown) {
+  for (const std::string name : {"", "contact.friction", "grain[0].spin", "a[x", "a[99999999999999999999"}) {
+    const auto line = "\"" + name + "\" = 0.9\n";
+    auto lines = problems_of("a = []\n" + line + one_grain);
+    ASSERT_EQ(lines.size(), 2U);
+    EXPECT_TRUE(any_contains(lines, "scene.toml:2: \"" + name + "\": unknown key; keys are words")) << lines[0];
+    lines = problems_of("[contact]\n" + line + one_grain);
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_TRUE(any_contains(lines, "scene.toml:2: contact.\"" + name + "\": unknown key")) << lines[0];
+  }
+  Overrides overrides;
+  overrides.set = {"contact={\"\" = 1}"};
+  EXPECT_TRUE(any_contains(problems_of(one_grain, overrides), "--set contact={\"\" = 1}: contact.\"\": unknown key"));
+}
+
+// A quotation mark before the closing three belongs to the text; what follows is read as what it is.
+TEST(SceneRead, LongTextWithQuotationMarksAtItsEnd) {
+  EXPECT_EQ(read_scene_text("title = \"\"\"a\"\"\"\"\"  # \"\n" + one_grain, "scene.toml").title, "a\"\"");
+  EXPECT_EQ(read_scene_text("title = '''été''''\n" + one_grain, "scene.toml").title, "été'");
+  EXPECT_TRUE(any_contains(problems_of("title = '''a''''\nété = 1\n" + one_grain), "scene.toml:2: letters beyond"));
+  EXPECT_TRUE(any_contains(problems_of("title = \"\"\"\\\n\"\"\"\nété = 1\n"), "scene.toml:3: letters beyond"));
+}
+
+// toml++ is undefined for most letters where it looks for white space, which shows under the sanitizers only.
+TEST(SceneRead, LettersWhereTomlLooksForWhiteSpace) {
+  EXPECT_EQ(read_scene_text("title = \"\"\"\\\n  été\"\"\"\n" + one_grain, "scene.toml").title, "été");
+  EXPECT_EQ(problems_of("title = \"\"\"\\é\"\"\"\n" + one_grain).size(), 1U);
+  EXPECT_EQ(problems_of("seed = 1e\"é\"\n" + one_grain).size(), 1U);
+}
+
+// toml++ lays out lists by the logarithm of their numbers.
+TEST(SceneRead, ListsAndTablesInMessagesAreOneLine) {
+  const auto of_gravity = [](const std::string& value) { return problems_of("gravity = " + value + "\n" + one_grain); };
+  EXPECT_EQ(of_gravity("[0.01, [], -1e-300, {}, \"a\"]"),
+            std::vector<std::string>{
+                "scene.toml:1: gravity = [ 0.01, [], -1e-300, {}, \"a\" ]: must be a number, is a list"});
+  EXPECT_EQ(
+      of_gravity("{ a = nan, b = 2026-01-01 }"),
+      std::vector<std::string>{"scene.toml:1: gravity = { a = nan, b = 2026-01-01 }: must be a number, is a table"});
+}
+
+TEST(SceneRead, KeysOfVeryManySteps) {
+  std::string key = "a";
+  for (int k = 0; k < 100000; ++k) key += ".a";
+  for (const auto& text : {key + " = 1\n", "\n[" + key + "]\n"}) {
+    const auto lines = problems_of(text);
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_TRUE(any_contains(lines, ": a key of more than 30 steps"));
+  }
+  Overrides overrides;
+  overrides.set = {key + "=1"};
+  EXPECT_EQ(problems_of(one_grain, overrides).size(), 1U);
+  // Dots elsewhere do not count.
+  EXPECT_TRUE(problems_of("title = \"" + key + "\"  # " + key + "\n" + one_grain).empty());
+}
+
+// Time in proportion to the length of the file: 0.1 s, where comparing every key with every other took 11 s.
+TEST(SceneRead, ManyPlacedGrains) {
+  std::string text = "[stop]\ntime = 1\n";
+  for (int k = 0; k < 20000; ++k) text += "[[grain]]\nposition = [0.0, " + std::to_string(k) + ".5]\n";
+  const auto begin = std::clock();
+  EXPECT_EQ(read_scene_text(text, "scene.toml").placed.size(), 20000U);
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 5.0);
+}
+
+// toml++ has no double for a whole number that a double has to round.
+TEST(SceneRead, WholeNumbersBeyondTheDoubles) {
+  Overrides overrides;
+  overrides.set = {"gravity=9223372036854775807", "method.skin=9007199254740993"};
+  const auto scene = read_scene_text(one_grain, "scene.toml", overrides);
+  EXPECT_EQ(scene.gravity, 0x1p63);
+  EXPECT_EQ(scene.method.skin, 0x1p53);
+  overrides.set = {"stop.time=9223372036854775807"};
+  EXPECT_EQ(read_scene_text(one_grain, "scene.toml", overrides).stop.time, 0x1p63);
+  const auto far = read_scene_text("[[grain]]\nposition = [0, 9223372036854775807]\n[stop]\ntime = 1\n", "scene.toml");
+  EXPECT_EQ(far.placed[0].position[1], 0x1p63);
+}
+
+// The law is made of something sound even then: a whole exponent below 0 has no unsigned.
+TEST(SceneRead, ExponentBelowZeroIsOneProblem) {
+  for (const std::string value : {"-5", "-inf"}) {
+    Overrides overrides;
+    overrides.set = {"contact.normal.exponent=" + value};
+    EXPECT_EQ(problems_of(one_grain, overrides).size(), 1U) << value;
+  }
+}
+
+// Defaults that follow from other keys are checked as what is given is; they were written out as inf.
+TEST(SceneRead, DefaultsThatOverflow) {
+  const auto overflow = [](const std::vector<std::string>& settings, const std::string& part) {
+    Overrides overrides;
+    overrides.set = settings;
+    const auto lines = problems_of(one_grain, overrides);
+    EXPECT_TRUE(any_contains(lines, part)) << part;
+    overrides.set.push_back(part.substr(0, part.find(':')) + "=1");
+    EXPECT_LT(problems_of(one_grain, overrides).size(), lines.size()) << part;
+  };
+  overflow({"grains.diameter=1e306"}, "box.half_width: missing, and its default, inf, will not do: must be a finite");
+  overflow({"grains.diameter=5e-324"}, "method.skin: missing, and its default, 0, will not do: must be > 0 [L]");
+  overflow({"grains.diameter=1e100", "gravity=1e-308"}, "output.series: missing, and its default, inf, will not do");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace repose {
@@ -33,6 +34,10 @@ std::string apply(const std::string& setting, const std::string& origin, toml::t
   }
   if (key.find('[') != std::string::npos) {
     problems.push_back(fmt::format("{}: entries of lists are set in the scene file only", origin));
+    return "";
+  }
+  if (static_cast<std::size_t>(std::count(key.begin(), key.end(), '.')) >= most_key_steps) {
+    problems.push_back(fmt::format("{}: a key of more than {} steps", origin, most_key_steps));
     return "";
   }
   const std::string value = trimmed(setting.substr(equals + 1));

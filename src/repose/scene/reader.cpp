@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -31,20 +32,37 @@ std::string_view type_name(const toml::node& node) {
   }
 }
 
+/// A value as in a message, on one line. Not through toml++'s printer of lists and tables, whose choice of a layout
+/// takes every number for one of magnitude above 1 (and is undefined for the others).
 std::string value_text(const toml::node& node) {
+  if (const auto* list = node.as_array()) {
+    std::vector<std::string> entries;
+    for (const auto& entry : *list) entries.push_back(value_text(entry));
+    return entries.empty() ? "[]" : fmt::format("[ {} ]", fmt::join(entries, ", "));
+  }
+  if (const auto* table = node.as_table()) {
+    std::vector<std::string> entries;
+    for (const auto& [name, child] : *table) entries.push_back(fmt::format("{} = {}", name.str(), value_text(child)));
+    return entries.empty() ? "{}" : fmt::format("{{ {} }}", fmt::join(entries, ", "));
+  }
   if (const auto number = node.is_floating_point() ? node.value<double>() : std::nullopt) {
     return fmt::format("{}", *number);
   }
   if (const auto text = node.value<std::string>(); node.is_string()) return fmt::format("\"{}\"", *text);
   std::ostringstream out;
   node.visit([&](const auto& value) { out << value; });
-  std::string line;
-  for (const char c : out.str()) {  // a long list is printed over several lines
-    const bool space = c == ' ' || c == '\n' || c == '\t';
-    if (!space || (!line.empty() && line.back() != ' ')) line += space ? ' ' : c;
-  }
-  return line;
+  return out.str();
 }
+
+/// A number of either kind, NaN if it is none. Not value<double>(), which is nothing for a whole number that a double
+/// has to round.
+double number_in(const toml::node& node) {
+  if (const auto* whole = node.as_integer()) return static_cast<double>(whole->get());
+  return node.is_floating_point() ? node.as_floating_point()->get() : required;
+}
+
+/// True for what a dotted key is made of; "" and "a.b" in quotation marks are names in TOML, but none of ours.
+bool is_step(std::string_view name) { return !name.empty() && name.find_first_of(".[") == std::string_view::npos; }
 
 /// Splits "a.b[2].c" into "a", "b", "[2]", "c".
 std::vector<std::string> steps_of(const std::string& key) {
@@ -63,11 +81,6 @@ std::vector<std::string> steps_of(const std::string& key) {
 std::string parent_of(const std::string& key) {
   const auto dot = key.rfind('.');
   return dot == std::string::npos ? "" : key.substr(0, dot);
-}
-
-bool starts_with_step(const std::string& key, const std::string& prefix) {
-  return key.size() > prefix.size() && key.starts_with(prefix) &&
-         (prefix.empty() || key[prefix.size()] == '.' || key[prefix.size()] == '[');
 }
 
 }  // namespace
@@ -111,11 +124,12 @@ void Reader::wrong_type(const std::string& key, const toml::node& node, std::str
   problem(key, fmt::format(" = {}: must be {}, is {}", value_text(node), wanted, type_name(node)));
 }
 
-void Reader::check_bounds(const std::string& key, const toml::node& node, double value, const Bounds& bounds,
+bool Reader::check_bounds(const std::string& key, const std::string& shown, double value, const Bounds& bounds,
                           std::string_view unit) {
-  if (std::isfinite(value) && bounds.holds(value)) return;
+  if (std::isfinite(value) && bounds.holds(value)) return true;
   const std::string allowed = std::isfinite(value) ? bounds.text() : "must be a finite number";
-  problem(key, fmt::format(" = {}: {}{}", value_text(node), allowed, unit.empty() ? "" : fmt::format(" [{}]", unit)));
+  problem(key, fmt::format("{}: {}{}", shown, allowed, unit.empty() ? "" : fmt::format(" [{}]", unit)));
+  return false;
 }
 
 void Reader::number(const std::string& key, double& value, double fallback, const Bounds& bounds, std::string_view unit,
@@ -125,12 +139,14 @@ void Reader::number(const std::string& key, double& value, double fallback, cons
   // Something sound to go on with, so that one problem does not bring about others.
   value = std::isnan(fallback) ? 1.0 : fallback;
   if (node == nullptr) {
-    if (std::isnan(fallback)) missing(key, about);
+    if (std::isnan(fallback)) return missing(key, about);
+    // Defaults that follow from other keys can overflow.
+    check_bounds(key, fmt::format(": missing, and its default, {}, will not do", fallback), fallback, bounds, unit);
     return;
   }
   if (!node->is_number()) return wrong_type(key, *node, "a number");
-  value = *node->value<double>();
-  check_bounds(key, *node, value, bounds, unit);
+  const double read = number_in(*node);
+  if (check_bounds(key, fmt::format(" = {}", value_text(*node)), read, bounds, unit)) value = read;
 }
 
 void Reader::optional_number(const std::string& key, std::optional<double>& value, std::string_view none,
@@ -143,8 +159,8 @@ void Reader::optional_number(const std::string& key, std::optional<double>& valu
   if (!node->is_number()) {
     return wrong_type(key, *node, none.empty() ? "a number" : fmt::format("a number or \"{}\"", none));
   }
-  value = *node->value<double>();
-  check_bounds(key, *node, *value, bounds, unit);
+  value = number_in(*node);
+  check_bounds(key, fmt::format(" = {}", value_text(*node)), *value, bounds, unit);
 }
 
 void Reader::integer(const std::string& key, std::int64_t& value, std::optional<std::int64_t> fallback,
@@ -216,11 +232,11 @@ void Reader::vector(const std::string& key, std::array<double, 2>& value, std::o
     return problem(key, fmt::format(" = {}: must be a list of two numbers, has {}", value_text(*node), list->size()));
   }
   for (std::size_t k = 0; k < 2; ++k) {
-    const auto component = list->get(k)->is_number() ? list->get(k)->value<double>() : std::nullopt;
-    if (!component || !std::isfinite(*component)) {
+    const double component = number_in(*list->get(k));
+    if (!std::isfinite(component)) {
       return problem(key, fmt::format(" = {}: must be a list of two finite numbers", value_text(*node)));
     }
-    value[k] = *component;
+    value[k] = component;
   }
 }
 
@@ -239,13 +255,25 @@ void Reader::tables(const std::string& key, const std::function<std::size_t(std:
 
 void Reader::report_unknown_keys() { unknown_in(root_, ""); }
 
+/// True if a key that begins so was asked for.
+bool Reader::any_asked(const std::string& beginning) const {
+  const auto first = asked_.lower_bound(beginning);
+  return first != asked_.end() && first->starts_with(beginning);
+}
+
 void Reader::unknown_in(const toml::node& node, const std::string& key) {
   if (asked_.contains(key) && !node.is_array_of_tables()) return;
-  const bool known_parent =
-      key.empty() || std::any_of(asked_.begin(), asked_.end(), [&](const auto& a) { return starts_with_step(a, key); });
+  const bool known_parent = key.empty() || any_asked(key + ".") || any_asked(key + "[");
   if (const auto* table = node.as_table(); table != nullptr && known_parent) {
     for (const auto& [name, child] : *table) {
-      unknown_in(child, key.empty() ? std::string(name.str()) : fmt::format("{}.{}", key, name.str()));
+      if (is_step(name.str())) {
+        unknown_in(child, key.empty() ? std::string(name.str()) : fmt::format("{}.{}", key, name.str()));
+      } else {
+        const auto line = child.source().begin.line;
+        problems_.push_back(fmt::format(
+            "{}: {}{}\"{}\": unknown key; keys are words, with dots outside quotation marks",
+            line > 0 ? fmt::format("{}:{}", name_, line) : place(key), key, key.empty() ? "" : ".", name.str()));
+      }
     }
     return;
   }
@@ -255,10 +283,9 @@ void Reader::unknown_in(const toml::node& node, const std::string& key) {
   }
   if (known_parent) return wrong_type(key, node, "a table");
   std::set<std::string> siblings;
-  for (const auto& known : asked_) {
-    const auto parent = parent_of(key);
-    if (!starts_with_step(known, parent)) continue;
-    const auto rest = known.substr(parent.empty() ? 0 : parent.size() + 1);
+  const auto parent = parent_of(key).empty() ? "" : parent_of(key) + ".";
+  for (auto known = asked_.lower_bound(parent); known != asked_.end() && known->starts_with(parent); ++known) {
+    const auto rest = known->substr(parent.size());
     siblings.insert(rest.substr(0, rest.find_first_of(".[")));
   }
   problem(key,

@@ -48,8 +48,9 @@ class Reader final : public Keys {
   std::string place(const std::string& key) const;
   void missing(const std::string& key, std::string_view about);
   void wrong_type(const std::string& key, const toml::node& node, std::string_view wanted);
-  void check_bounds(const std::string& key, const toml::node& node, double value, const Bounds& bounds,
+  bool check_bounds(const std::string& key, const std::string& shown, double value, const Bounds& bounds,
                     std::string_view unit);
+  bool any_asked(const std::string& beginning) const;
   void unknown_in(const toml::node& node, const std::string& key);
 
   const toml::table& root_;

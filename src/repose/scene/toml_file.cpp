@@ -33,16 +33,25 @@ int line_of_bad_header(const std::string& text) {
   return 0;
 }
 
-/// Number of the first line with a character beyond ASCII outside strings and comments, where TOML has none (and toml++
-/// does not look before it leaps); 0 if there is none.
-int line_of_foreign_character(const std::string& text) {
+/// What toml++ does not look at before it leaps, outside strings and comments: the number of the first line with a
+/// character beyond ASCII, where TOML has none, or of the first with a key of very many steps; 0 if there is none.
+struct BadLines {
+  int foreign_character = 0;
+  int long_key = 0;
+};
+
+BadLines bad_lines(const std::string& text) {
+  BadLines bad;
   int number = 1;
-  std::string closing;  // of the string or comment that we are in; empty outside
+  std::size_t dots = 0;  // in a row, with nothing between them that could end a key
+  std::string closing;   // of the string or comment that we are in; empty outside
   for (std::size_t k = 0; k < text.size(); ++k) {
     const char c = text[k];
     if (c == '\n') ++number;
     if (closing.empty()) {
-      if (static_cast<unsigned char>(c) >= 0x80) return number;
+      if (static_cast<unsigned char>(c) >= 0x80 && bad.foreign_character == 0) bad.foreign_character = number;
+      if (c == '.' && ++dots == most_key_steps && bad.long_key == 0) bad.long_key = number;
+      if (c == '\n' || c == '=' || c == ',' || c == '[' || c == '{') dots = 0;
       if (c == '#') closing = "\n";
       if (c == '"' || c == '\'') {
         const bool long_one = text.compare(k, 3, std::string(3, c)) == 0;
@@ -50,15 +59,17 @@ int line_of_foreign_character(const std::string& text) {
         if (long_one) k += 2;
       }
     } else if (c == '\\' && closing.front() == '"') {
-      ++k;
+      if (k + 1 < text.size() && text[k + 1] != '\n') ++k;
     } else if (text.compare(k, closing.size(), closing) == 0) {
       k += closing.size() - 1;
+      // Up to two more quotation marks in front of the closing three belong to the string.
+      for (int more = 0; closing.size() == 3 && more < 2 && text.compare(k + 1, 1, closing, 0, 1) == 0; ++more) ++k;
       closing.clear();
     } else if (c == '\n' && closing.size() == 1) {
       closing.clear();  // a short string that was not closed
     }
   }
-  return 0;
+  return bad;
 }
 
 }  // namespace
@@ -75,8 +86,13 @@ std::string text_of_file(const std::string& path) {
 }
 
 toml::table parsed_toml(const std::string& text, const std::string& name) {
-  if (const int line = line_of_foreign_character(text); line > 0) {
-    throw InputError(fmt::format("{}:{}: letters beyond ASCII may stand in text and comments only", name, line));
+  const auto bad = bad_lines(text);
+  if (bad.foreign_character > 0) {
+    throw InputError(
+        fmt::format("{}:{}: letters beyond ASCII may stand in text and comments only", name, bad.foreign_character));
+  }
+  if (bad.long_key > 0) {
+    throw InputError(fmt::format("{}:{}: a key of more than {} steps", name, bad.long_key, most_key_steps));
   }
   try {
     return toml::parse(text, name);
