@@ -69,13 +69,17 @@ Sweep::Sweep(const SweepFolder& folder, int processes)
 }
 
 Sweep::~Sweep() {
-  for (const auto& worker : workers_) {
-    if (worker.process > 0) {
-      ::kill(worker.process, SIGKILL);
-      ::waitpid(worker.process, nullptr, 0);
-    }
-  }
+  stop_members();
   ::munmap(shared_, workers_.size() * sizeof(Shared));
+}
+
+void Sweep::stop_members() {
+  for (auto& worker : workers_) {
+    if (worker.process <= 0) continue;
+    ::kill(worker.process, SIGKILL);
+    ::waitpid(worker.process, nullptr, 0);
+    worker.process = -1;
+  }
 }
 
 std::size_t Sweep::count(Stage stage) const {
@@ -188,6 +192,7 @@ void Sweep::run(const std::function<void(std::size_t)>& changed, const std::func
     tick();
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
+  stop_members();  // whoever looks at the folder from here on finds it at rest
 }
 
 }  // namespace repose

@@ -53,6 +53,7 @@ class Sweep {
     std::chrono::steady_clock::time_point started;
   };
 
+  void stop_members();
   void start(std::size_t slot, std::size_t member);
   void look_after(std::size_t slot);
   void end(std::size_t slot, int status);
