@@ -15,6 +15,8 @@ STOP = "[stop]\ntime = 1\n"
 LATTICE = "[base]\nkind = 'row'\nhalf_width = 20\n[source]\nkind = 'lattice'\nrows = 5\n"
 
 WRONG_SCENES = {
+    "no automatic step": ("[contact]\nnormal = { law = 'hooke', stiffness = 1e-320 }\n" + GRAIN + "[grains]\nmass = 1e300\n" + STOP,
+                          "method.time_step = \"auto\": finds no step"),
     "header without a key": ("seed = 1\n[?contact]\n", "scene.toml:2: a key must begin with a letter"),
     "accent outside text": ("# été\ntitle = 'été'\nété = 1\n", "scene.toml:3: letters beyond ASCII may stand in text"),
     "line break in a value": ("title = tru\nseed = 1\n", "scene.toml:1: Error while parsing boolean"),

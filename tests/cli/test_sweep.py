@@ -154,6 +154,14 @@ def test_the_folder_goes_on_by_itself(sweep):
     assert contents(sweep.path / "out") == before
 
 
+def test_paths_in_other_quotation_marks_and_comments_are_kept(sweep):
+    sweep.scene("# mine\n" + SWEEP.replace('"heap.toml"', "'heap.toml'").replace("seeds = 3", "seeds = 1"), "sweep.toml")
+    run_sweep(sweep)
+    kept = (sweep.path / "out/sweep.toml").read_text()
+    assert kept.startswith("# mine\n") and 'scene = "scenes/1-heap.toml"' in kept
+    assert (sweep.path / "out/scenes/1-heap.toml").read_text() == HEAP
+
+
 def test_a_failed_member_is_reported_and_does_not_stop_the_others(sweep):
     # A source so low and narrow that its own heap reaches it.
     sweep.scene(HEAP.replace("height = 10", "height = 3").replace("half_width = 2", "half_width = 0"), "low.toml")

@@ -172,8 +172,15 @@ double rounded_down(double x) {
 
 /// The explicit step against the stiffest contact; only where all that it depends on is sound.
 void check_time_step(const Scene& scene, Reader& reader) {
-  if (!scene.method.time_step || !reader.problems().empty()) return;
+  if (!reader.problems().empty()) return;
   const double frequency = scene.contact_frequency();
+  if (const double automatic = auto_phase / frequency; !scene.method.time_step) {
+    if (std::isfinite(automatic) && automatic > 0.0) return;
+    return reader.problem("method.time_step",
+                          fmt::format(" = \"auto\": finds no step: the stiffest contact has the frequency w = {:.4g};"
+                                      " give a step [T], or check stiffness, mass and diameter",
+                                      frequency));
+  }
   const double step = *scene.method.time_step;
   if (step * frequency <= largest_phase) return;
   reader.problem(

@@ -432,21 +432,19 @@ std::vector<SweepFile> self_contained(const std::string& path) {
       if (auto* table = point.as_table()) bring(*table);
     }
   }
-  // The file as its author wrote it, with its comments, wherever the paths can simply be exchanged.
+  // The file as its author wrote it, with its comments; only the paths are exchanged.
   std::string exchanged = text;
   for (const auto& [given, name] : names) {
-    const auto old_text = toml_quoted(given);
-    for (auto at = exchanged.find(old_text); at != std::string::npos; at = exchanged.find(old_text, at + 1)) {
-      exchanged.replace(at, old_text.size(), toml_quoted(name));
+    for (const auto& old_text : {toml_quoted(given), fmt::format("'{}'", given)}) {
+      for (auto at = exchanged.find(old_text); at != std::string::npos; at = exchanged.find(old_text, at + 1)) {
+        exchanged.replace(at, old_text.size(), toml_quoted(name));
+      }
     }
   }
-  if (parsed_toml(exchanged, path) == root) {
-    files.front() = {"sweep.toml", exchanged};
-  } else {
-    std::ostringstream out;
-    out << root << "\n";
-    files.front() = {"sweep.toml", out.str()};
+  if (parsed_toml(exchanged, path) != root) {
+    throw InputError(fmt::format("{}: scene: a path must be written plainly, and stand for nothing but a scene", path));
   }
+  files.front() = {"sweep.toml", exchanged};
   return files;
 }
 
