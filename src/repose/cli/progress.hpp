@@ -5,8 +5,12 @@
 #include "repose/run/simulation.hpp"
 
 #include <chrono>
+#include <string>
 
 namespace repose {
+
+/// A duration [s] as 1:02:03 or 2:03.
+std::string clock_text(double seconds);
 
 /// Shows how far a run has come: a bar on a terminal, plain lines otherwise.
 class Progress {

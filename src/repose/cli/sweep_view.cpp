@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/cli/sweep_view.hpp"
 
+#include "repose/cli/progress.hpp"
 #include "repose/run/expectation.hpp"
 
 #include <fmt/format.h>
@@ -39,12 +40,6 @@ std::size_t name_width(const SweepPlan& plan) {
   std::size_t width = 5;
   for (const auto& point : plan.points) width = std::max(width, point.name.size());
   return width;
-}
-
-std::string clock_text(double seconds) {
-  const auto whole = static_cast<long>(seconds + 0.5);
-  return whole >= 3600 ? fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60)
-                       : fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
 
 }  // namespace
