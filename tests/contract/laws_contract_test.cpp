@@ -118,8 +118,8 @@ TEST(LawContract, CoulombLimit) {
     for (std::uint64_t index = 0; index < 500; ++index) {
       const double distance = reach(law.normal) * (0.9 + 0.0999 * number(index, 0));
       const auto touch = make_touch(distance, 1.0 / distance, 1.0, reach(law.normal), 3.0 * number(index, 1), 1.0);
-      double delta = 0.3 * number(index, 2);
-      const auto force = contact_force(law, touch, 5.0 * number(index, 3), 1e-3, delta);
+      ContactHistory<double> history{0.3 * number(index, 2), 0.0};
+      const auto force = contact_force(law, touch, 5.0 * number(index, 3), 0.0, 1e-3, history);
       EXPECT_LE(std::fabs(force.tangential), coulomb_limit(law.tangential, force.normal) * (1.0 + 1e-12));
       EXPECT_GE(force.normal.total, 0.0);
     }

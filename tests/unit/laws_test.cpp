@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/laws/contact_force.hpp"
+#include "repose/laws/registry.hpp"
 #include "repose/laws/time_step.hpp"
 
 #include <gtest/gtest.h>

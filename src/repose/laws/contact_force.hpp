@@ -2,23 +2,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/laws/registry.hpp"
+#include "repose/laws/pair_law.hpp"
+#include "repose/laws/touch.hpp"
 
 namespace repose {
 
-/// The two forces of one contact.
+/// The forces of one contact on its first grain.
 template <class Tangential>
 struct ContactForce {
-  NormalForce<double> normal;
-  Tangential tangential;
+  NormalForce<double> normal;  ///< `total` holds the cohesion too
+  Tangential tangential;       ///< [M L/T^2]
+  Tangential rolling{};        ///< [M L/T^2] rolling torque over the roll radius; the second grain feels the opposite
 };
 
-/// Both laws of a touching pair; the tangential displacement `delta` goes forward by dt.
-template <class Normal, class Tangential_law, class Tangential>
-REPOSE_FN ContactForce<Tangential> contact_force(const PairLaw<Normal, Tangential_law>& law, const Touch<double>& touch,
-                                                 const Tangential& slip_velocity, double dt, Tangential& delta) {
-  const NormalForce<double> normal = normal_force(law.normal, touch);
-  return {normal, tangential_force(law.tangential, touch, normal, slip_velocity, dt, delta)};
+/// What a contact remembers [L]: displacements in its tangent plane.
+template <class Tangential>
+struct ContactHistory {
+  Tangential slip{};
+  Tangential roll{};
+};
+
+/// All laws of a touching pair; its history goes forward by dt. The roll velocity is the roll radius times the
+/// difference of the angular velocities, first less second. Friction and rolling resistance follow the force that
+/// presses the grains together, which cohesion does not lessen.
+template <class Law, class Tangential>
+REPOSE_FN ContactForce<Tangential> contact_force(const Law& law, const Touch<double>& touch,
+                                                 const Tangential& slip_velocity, const Tangential& roll_velocity,
+                                                 double dt, ContactHistory<Tangential>& history) {
+  ContactForce<Tangential> force{normal_force(law.normal, touch), {}, {}};
+  force.tangential = tangential_force(law.tangential, touch, force.normal, slip_velocity, dt, history.slip);
+  force.rolling = rolling_force(law.rolling, touch, force.normal, roll_velocity, dt, history.roll);
+  force.normal.total -= attraction(law.cohesion, touch);
+  return force;
 }
 
 }  // namespace repose

@@ -2,28 +2,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/laws/cohesion/none.hpp"
 #include "repose/laws/normal/continuous.hpp"
 #include "repose/laws/normal/hooke.hpp"
+#include "repose/laws/pair_law.hpp"
+#include "repose/laws/rolling/free.hpp"
 #include "repose/laws/tangential/cumulative.hpp"
 #include "repose/laws/tangential/linear.hpp"
 #include "repose/laws/tangential/none.hpp"
 
-#include <string_view>
-#include <type_traits>
-#include <utility>
+#include <cstddef>
 #include <variant>
+#include <vector>
 
 namespace repose {
 
-/// Every normal and tangential law: a new law is its header and one entry here.
+/// Every law by kind: a new law is its header and one entry here.
 using NormalLaw = std::variant<Continuous, Hooke>;
 using TangentialLaw = std::variant<Cumulative, Linear, None>;
+using RollingLaw = std::variant<FreeRolling>;
+using CohesionLaw = std::variant<NoCohesion>;
 
-/// A normal and a tangential law that act together in one compiled kernel.
-template <class Normal, class Tangential>
-struct PairLaw {
-  Normal normal{};
-  Tangential tangential{};
+/// The laws of a pair of materials, chosen at run time.
+struct ContactLaws {
+  NormalLaw normal;
+  TangentialLaw tangential;
+  RollingLaw rolling;
+  CohesionLaw cohesion;
+};
+
+/// The laws of every two materials: a symmetric table, entry a * materials + b.
+struct MaterialLaws {
+  std::size_t materials = 1;
+  std::vector<ContactLaws> table;
 };
 
 /// Calls `use` with the PairLaw of the two laws: the one dispatch of a run.
@@ -31,7 +42,7 @@ template <class Use>
 decltype(auto) with_pair_law(const NormalLaw& normal, const TangentialLaw& tangential, Use&& use) {
   return std::visit(
       [&](const auto& n, const auto& t) -> decltype(auto) {
-        return use(PairLaw<std::decay_t<decltype(n)>, std::decay_t<decltype(t)>>{n, t});
+        return use(PairLaw{n, t});
       },
       normal, tangential);
 }

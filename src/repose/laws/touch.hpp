@@ -19,13 +19,23 @@ struct Touch {
   T overlap;           ///< [L] diameter - distance
   T engagement;        ///< [L] cutoff distance - distance, > 0: how deep the pair is in the reach of the normal law
   T closing_speed;     ///< [L/T]
-  T mass;              ///< [M] 2 m_i m_j / (m_i + m_j): the mass of either for equal grains, twice the reduced mass
+  T mass;              ///< [M] 2 m_i m_j / (m_i + m_j): the mass of either for equal grains, of nominal masses
+  T reduced_mass;      ///< [M] that truly moves in an impact: of a fixed partner the mass is infinite
+  T roll_radius;       ///< [L] 2 R_i R_j / (R_i + R_j): the radius of either for equal grains
 };
 
-/// A touch from its independent numbers; `within` [L] is the distance below which the normal law acts.
+/// A touch from its independent numbers; `within` [L] is the distance below which the normal law acts. Where nothing
+/// else is said, both grains can move and are of one size.
+template <class T>
+REPOSE_FN Touch<T> make_touch(T distance, T inverse_distance, T diameter, T within, T closing_speed, T mass,
+                              T reduced_mass, T roll_radius) {
+  return {distance, inverse_distance, diameter,   diameter - distance, within - distance, closing_speed,
+          mass,     reduced_mass,     roll_radius};
+}
 template <class T>
 REPOSE_FN Touch<T> make_touch(T distance, T inverse_distance, T diameter, T within, T closing_speed, T mass) {
-  return {distance, inverse_distance, diameter, diameter - distance, within - distance, closing_speed, mass};
+  return make_touch(distance, inverse_distance, diameter, within, closing_speed, mass, T(0.5) * mass,
+                    T(0.5) * diameter);
 }
 
 /// A normal force in its parts.

@@ -2,37 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/parameters.hpp"
 #include "repose/scene/scene.hpp"
 
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace repose {
-
-/// What a number may be.
-struct Bounds {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool low_allowed = true;
-  bool high_allowed = true;
-
-  bool holds(double x) const { return (low_allowed ? x >= low : x > low) && (high_allowed ? x <= high : x < high); }
-  std::string text() const;
-};
-inline constexpr Bounds any{};
-inline constexpr Bounds positive{.low = 0.0, .low_allowed = false};
-inline constexpr Bounds not_negative{.low = 0.0};
-inline constexpr Bounds at_least_one{.low = 1.0};
-inline constexpr Bounds fraction{.low = 0.0, .high = 1.0, .high_allowed = false};
-
-/// A default that is none: the key must be given.
-inline constexpr double required = std::numeric_limits<double>::quiet_NaN();
 
 /// Goes through every key of a scene, in order: the reader fills the values in, the writer writes them out.
 /// Keys are dotted paths; units in M, L, T; `about` is one line for the user.

@@ -4,6 +4,7 @@
 
 #include "repose/core/errors.hpp"
 #include "repose/laws/time_step.hpp"
+#include "repose/scene/checks.hpp"
 #include "repose/scene/reader.hpp"
 #include "repose/scene/toml_file.hpp"
 
@@ -63,107 +64,6 @@ std::string apply(const std::string& setting, const std::string& origin, toml::t
   return key;
 }
 
-/// A lattice pile stands on what it can stand on, and within the box.
-void check_lattice(const Scene& scene, Reader& reader) {
-  constexpr std::int64_t most_rows = 4000;
-  const auto& source = scene.source;
-  if (source.rows > most_rows && reader.sound("source.rows")) {
-    reader.problem("source.rows", fmt::format(" = {}: must be at most {}", source.rows, most_rows));
-  }
-  if (scene.base.kind == "none" && reader.sound("source.kind") && reader.sound("base.kind")) {
-    reader.problem("source.kind", " = \"lattice\": needs a base to stand on: base.kind = \"row\" or \"plane\"");
-  }
-  const double d = scene.grains.diameter;
-  const bool fits = scene.base.spacing >= d && scene.base.spacing <= 1.5 * d;
-  if (scene.base.kind == "row" && reader.sound("base.spacing") && !fits) {
-    reader.problem("base.spacing", fmt::format(" = {}: must be 1 to 1.5 diameters, {} to {}, under a lattice [L]",
-                                               scene.base.spacing, d, 1.5 * d));
-  }
-  if (scene.grains.polydispersity > 0.0 && reader.sound("grains.polydispersity")) {
-    reader.problem("grains.polydispersity", fmt::format(" = {}: must be 0 for a lattice", scene.grains.polydispersity));
-  }
-  const double half = 0.5 * static_cast<double>(source.rows + 1) * scene.base_pitch();
-  const double room = scene.base.kind == "row" && scene.box.x == "open" ? scene.base.half_width : scene.box.half_width;
-  if (std::fabs(source.x) + half > room && reader.sound("source.rows") && reader.sound("box.half_width")) {
-    reader.problem("source.rows", fmt::format(" = {}: the pile must lie within x = +-{}", source.rows, room));
-  }
-}
-
-/// What one key alone cannot tell.
-void check_together(const Scene& scene, Reader& reader) {
-  const bool continuous = std::holds_alternative<Continuous>(scene.contact.normal);
-  if (continuous && scene.gravity == 0.0 && reader.sound("gravity")) {
-    reader.problem("gravity", " = 0: the continuous law has its force scale from gravity; use hooke or gravity > 0");
-  }
-  if (scene.source.kind == "none" && scene.placed.empty() && reader.sound("grain") && reader.sound("source.kind")) {
-    reader.problem("source.kind", ": there are no grains: needs a source.kind or at least one [[grain]]");
-  }
-  if (scene.source.kind == "pour" && scene.gravity == 0.0 && reader.sound("gravity")) {
-    reader.problem("source.kind", " = \"pour\": needs gravity > 0");
-  }
-  if (scene.source.kind == "lattice") check_lattice(scene, reader);
-  if (!scene.stop.time && !scene.stop.at_rest && reader.sound("stop.time") && reader.sound("stop.at_rest")) {
-    reader.problem("stop", ": missing: give time, at_rest or both; the run ends at whichever comes first");
-  }
-  if (scene.stop.at_rest && scene.gravity == 0.0 && reader.sound("stop.at_rest") && reader.sound("gravity")) {
-    reader.problem(
-        "stop.at_rest",
-        fmt::format(" = {}: is measured in grain weights and needs gravity > 0; use stop.time", *scene.stop.at_rest));
-  }
-  const double d = scene.grains.diameter;
-  constexpr double most_base_grains = 1e7;
-  const double row = scene.box.x == "periodic" ? scene.box.half_width : scene.base.half_width;
-  if (scene.base.kind == "row" && 2.0 * row / scene.base.spacing > most_base_grains && reader.sound("base.spacing") &&
-      reader.sound("base.half_width")) {
-    reader.problem("base.spacing",
-                   fmt::format(" = {}: the row of half-width {} would have {:.3g} grains; at most {:g}",
-                               scene.base.spacing, row, 2.0 * row / scene.base.spacing, most_base_grains));
-  }
-  if (scene.box.x == "periodic" && reader.sound("box.half_width")) {
-    if (scene.box.half_width < 4.0 * scene.largest_diameter()) {
-      reader.problem("box.half_width",
-                     fmt::format(" = {}: a periodic box must be at least 8 diameters wide", scene.box.half_width));
-    }
-    const double discs = 2.0 * scene.box.half_width / scene.base.spacing;
-    if (scene.base.kind == "row" && reader.sound("base.spacing") &&
-        std::fabs(discs - std::round(discs)) > 1e-9 * discs) {
-      reader.problem("base.spacing",
-                     fmt::format(" = {}: must divide the width {} of the periodic box into whole spacings",
-                                 scene.base.spacing, 2.0 * scene.box.half_width));
-    }
-  } else if (scene.base.kind == "row" && reader.sound("base.half_width") && reader.sound("box.half_width") &&
-             scene.box.half_width < scene.base.half_width) {
-    reader.problem("box.half_width", fmt::format(" = {}: must be at least base.half_width = {}", scene.box.half_width,
-                                                 scene.base.half_width));
-  }
-  if (scene.base.kind == "row" && reader.sound("base.spacing") && reader.sound("grains.diameter") &&
-      scene.base.spacing >= 2.0 * d) {
-    reader.problem("base.spacing",
-                   fmt::format(" = {}: must be < {}, two diameters, or grains fall through the base [L]",
-                               scene.base.spacing, 2.0 * d));
-  }
-  if (scene.source.kind == "pour" && reader.sound("source.half_width") && reader.sound("box.half_width") &&
-      std::fabs(scene.source.x) + scene.source.half_width > scene.box.half_width) {
-    reader.problem("source.half_width", fmt::format(" = {}: the opening must lie within the box, x = +-{}",
-                                                    scene.source.half_width, scene.box.half_width));
-  }
-  for (std::size_t k = 0; k < scene.planes.size(); ++k) {
-    const auto& [x, y] = scene.planes[k].normal;
-    const auto key = fmt::format("plane[{}].normal", k);
-    if (std::hypot(x, y) < 1e-100 && reader.sound(key)) {
-      reader.problem(key, fmt::format(" = [{}, {}]: must have a direction", x, y));
-    }
-  }
-  for (std::size_t k = 0; k < scene.placed.size(); ++k) {
-    const auto key = fmt::format("grain[{}].position", k);
-    if (std::fabs(scene.placed[k].position[0]) > scene.box.half_width && reader.sound(key) &&
-        reader.sound("box.half_width")) {
-      reader.problem(key, fmt::format(" = [{}, {}]: must lie within the box, x = +-{}", scene.placed[k].position[0],
-                                      scene.placed[k].position[1], scene.box.half_width));
-    }
-  }
-}
-
 /// Four digits of x > 0, rounded down.
 double rounded_down(double x) {
   const double digit = std::pow(10.0, std::floor(std::log10(x)) - 3.0);
@@ -212,7 +112,10 @@ Scene read_scene_text(const std::string& text, const std::string& name, const Ov
   Scene scene;
   go_through(scene, reader);
   reader.report_unknown_keys();
-  check_together(scene, reader);
+  check_laws(scene, reader);
+  check_boundaries(scene, reader);
+  check_sources(scene, reader);
+  check_stop(scene, reader);
   check_time_step(scene, reader);
   problems.insert(problems.end(), reader.problems().begin(), reader.problems().end());
   if (!problems.empty()) throw InputError(problems);

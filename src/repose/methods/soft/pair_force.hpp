@@ -40,7 +40,9 @@ REPOSE_FN PairGeometry<D> pair_geometry(const Grain<D>& a, const Grain<D>& b, co
   const Vec<D> relative = a.velocity - b.velocity;
   const auto rim = a.rim_velocity + b.rim_velocity;
   const double mass = 2.0 * a.mass * b.mass / (a.mass + b.mass);
-  return {make_touch(distance, inverse, radii, reach, -dot(relative, normal), mass), normal,
+  const double reduced_mass = 1.0 / (a.inverse_mass + b.inverse_mass);
+  const double roll_radius = 2.0 * a.radius * b.radius / radii;
+  return {make_touch(distance, inverse, radii, reach, -dot(relative, normal), mass, reduced_mass, roll_radius), normal,
           tangential(relative, normal) - spin_cross(rim * lever, normal), lever};
 }
 
@@ -57,7 +59,9 @@ REPOSE_FN bool pair_force(const Law& law, const Grain<D>& a, const Grain<D>& b, 
   }
   const auto pair = pair_geometry(a, b, d, distance2, within);
   history = turned(history, pair.normal);
-  const auto force = contact_force(law, pair.touch, pair.slip_velocity, dt, history);
+  ContactHistory<Tangent<D>> both{history, {}};
+  const auto force = contact_force(law, pair.touch, pair.slip_velocity, Tangent<D>{}, dt, both);
+  history = both.slip;
   push.force = pair.normal * force.normal.total + in_space(force.tangential, pair.normal);
   push.rim_torque = normal_cross(pair.normal, force.tangential) * -pair.lever;
   return true;
@@ -71,8 +75,9 @@ REPOSE_FN bool plane_geometry(const Law& law, const Grain<D>& a, const Plane<D>&
   const double within = reach(law.normal) * diameter;
   if (distance >= within) return false;
   const Tangent<D> slip = tangential(a.velocity, plane.normal) - spin_cross(a.rim_velocity, plane.normal);
-  pair = {make_touch(distance, 1.0 / distance, diameter, within, -dot(a.velocity, plane.normal), a.mass), plane.normal,
-          slip, 1.0};
+  pair = {
+      make_touch(distance, 1.0 / distance, diameter, within, -dot(a.velocity, plane.normal), a.mass, a.mass, a.radius),
+      plane.normal, slip, 1.0};
   return true;
 }
 
@@ -81,7 +86,10 @@ template <int D, class Law>
 REPOSE_FN ContactForce<Tangent<D>> plane_contact(const Law& law, const Plane<D>& plane, const PairGeometry<D>& pair,
                                                  double dt, Tangent<D>& history) {
   if (plane.smooth) return {normal_force(law.normal, pair.touch), Tangent<D>{}};
-  return contact_force(law, pair.touch, pair.slip_velocity, dt, history);
+  ContactHistory<Tangent<D>> both{history, {}};
+  const auto force = contact_force(law, pair.touch, pair.slip_velocity, Tangent<D>{}, dt, both);
+  history = both.slip;
+  return force;
 }
 
 /// Force of a plane on grain a.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/laws/registry.hpp"
 #include "repose/methods/method.hpp"
 #include "repose/methods/soft/sweep.hpp"
 
@@ -141,7 +142,9 @@ Contacts<D> Soft<D, Law>::contacts(const Grains<D>& grains) const {
       if (dot(d, d) >= within * within) continue;
       const auto pair = soft::pair_geometry(first, second, d, dot(d, d), within);
       Tangent<D> history = turned(swap ? swapped(pairs_.history[k]) : pairs_.history[k], pair.normal);
-      const auto force = contact_force(law, pair.touch, pair.slip_velocity, 0.0, history);
+      ContactHistory<Tangent<D>> both{history, {}};
+      const auto force = contact_force(law, pair.touch, pair.slip_velocity, Tangent<D>{}, 0.0, both);
+      history = both.slip;
       report(grains.id[a], grains.id[b], law, pair, force, history, pair.lever * first.radius);
     }
   }

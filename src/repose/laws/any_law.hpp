@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/laws/contact_force.hpp"
+#include "repose/laws/registry.hpp"
+
+#include <algorithm>
+#include <variant>
+
+namespace repose {
+
+// A law of each kind chosen at run time, with the interface of a law: what runs every combination that has no kernel of
+// its own, and is the reference for those that have.
+
+struct AnyNormal {
+  NormalLaw law;
+};
+REPOSE_FN double reach(const AnyNormal& any) {
+  return std::visit([](const auto& law) { return reach(law); }, any.law);
+}
+REPOSE_FN NormalForce<double> normal_force(const AnyNormal& any, const Touch<double>& touch) {
+  return std::visit([&](const auto& law) { return normal_force(law, touch); }, any.law);
+}
+
+struct AnyTangential {
+  TangentialLaw law;
+};
+template <class Tangential>
+REPOSE_FN Tangential tangential_force(const AnyTangential& any, const Touch<double>& touch,
+                                      const NormalForce<double>& normal, const Tangential& slip_velocity, double dt,
+                                      Tangential& delta) {
+  return std::visit([&](const auto& law) { return tangential_force(law, touch, normal, slip_velocity, dt, delta); },
+                    any.law);
+}
+REPOSE_FN double coulomb_limit(const AnyTangential& any, const NormalForce<double>& normal) {
+  return std::visit([&](const auto& law) { return coulomb_limit(law, normal); }, any.law);
+}
+
+struct AnyRolling {
+  RollingLaw law;
+};
+template <class Tangential>
+REPOSE_FN Tangential rolling_force(const AnyRolling& any, const Touch<double>& touch, const NormalForce<double>& normal,
+                                   const Tangential& roll_velocity, double dt, Tangential& displacement) {
+  return std::visit([&](const auto& law) { return rolling_force(law, touch, normal, roll_velocity, dt, displacement); },
+                    any.law);
+}
+
+struct AnyCohesion {
+  CohesionLaw law;
+};
+REPOSE_FN double attraction(const AnyCohesion& any, const Touch<double>& touch) {
+  return std::visit([&](const auto& law) { return attraction(law, touch); }, any.law);
+}
+
+using AnyPairLaw = PairLaw<AnyNormal, AnyTangential, AnyRolling, AnyCohesion>;
+
+inline AnyPairLaw any_pair_law(const ContactLaws& laws) {
+  return {{laws.normal}, {laws.tangential}, {laws.rolling}, {laws.cohesion}};
+}
+
+}  // namespace repose

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/laws/cohesion/none.hpp"
+#include "repose/laws/rolling/free.hpp"
+
+#include <type_traits>
+
+namespace repose {
+
+/// The laws that act together in one contact, compiled into one kernel.
+template <class Normal, class Tangential, class Rolling = FreeRolling, class Cohesion = NoCohesion>
+struct PairLaw {
+  Normal normal{};
+  Tangential tangential{};
+  Rolling rolling{};
+  Cohesion cohesion{};
+
+  /// Whether contacts resist rolling: then each keeps a rolling displacement beside its tangential one.
+  static constexpr bool rolls = !std::is_same_v<Rolling, FreeRolling>;
+};
+template <class Normal, class Tangential>
+PairLaw(Normal, Tangential) -> PairLaw<Normal, Tangential>;
+
+}  // namespace repose

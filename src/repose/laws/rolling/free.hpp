@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/core/inline.hpp"
+#include "repose/laws/touch.hpp"
+
+#include <string_view>
+
+namespace repose {
+
+/// No resistance to rolling.
+struct FreeRolling {
+  static constexpr std::string_view name = "none";
+};
+
+template <class Tangential>
+REPOSE_FN Tangential rolling_force(const FreeRolling&, const Touch<double>&, const NormalForce<double>&,
+                                   const Tangential&, double, Tangential&) {
+  return Tangential{};
+}
+
+}  // namespace repose
