@@ -91,7 +91,7 @@ TEST(SoftContract, SpheresInThreeDimensions) {
   stack.advance(60000);
   EXPECT_NEAR(stack[top].position[2], 1.0, 1e-9);
 
-  settings.planes = {{{{0.0, 0.0, 0.0}}, {{0.0, 0.0, 1.0}}, false}};
+  settings.walls = {Wall<3>{.point = {{0.0, 0.0, 0.0}}, .normal = {{0.0, 0.0, 1.0}}}};
   SoftWorld<3, PairLaw<Continuous, Cumulative>> floor(law, settings);
   const auto slider = floor.add({{0.0, 0.0, 0.5}}, {{0.6, 0.8, 0.0}});
   floor.advance(40000);

@@ -34,7 +34,11 @@ class SoftWorld {
 
   StepReport advance(long steps) { return method_.advance(grains, steps, team_); }
   Contacts<D> contacts() const { return method_.contacts(grains); }
+  void refresh() { method_.refresh(grains, team_); }
   const Soft<D, Law>& method() const { return method_; }
+  std::vector<Vec<D>> take_wall_impulses() { return method_.taken_wall_impulses(); }
+  void set_loads(const std::vector<Load<D>>& loads) { method_.set_loads(loads); }
+  Energy energy() const { return method_.energy(grains); }
 
   /// The grain with this id.
   Grain<D>& operator[](std::int64_t id) {

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/core/random.hpp"
-#include "support/every_law.hpp"
 #include "support/soft_world.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 // The results are the same to the bit for any number of threads.
 
@@ -27,7 +27,19 @@ std::vector<double> crowd(const Law& law, int threads, bool periodic, bool synch
   settings.box.x_max = 8.0;
   Vec<D> floor_normal;
   floor_normal[up<D>] = 1.0;
-  settings.planes = {{{}, floor_normal, false}};
+  Vec<D> along;
+  along[0] = 1.0;
+  Vec<D> shelf;
+  shelf[up<D>] = 5.3;
+  Vec<D> lid;
+  lid[up<D>] = 30.0;
+  settings.walls = {Wall<D>{.point = {}, .normal = floor_normal},
+                    Wall<D>{.point = shelf, .normal = floor_normal, .half_length = 3.0, .opens_at = 1.2},
+                    Wall<D>{.point = lid, .normal = -floor_normal}};
+  settings.walls[1].motion = {.kind = WallMotion<D>::Kind::velocity, .direction = along, .speed = 0.4};
+  settings.walls[2].motion = {
+      .kind = WallMotion<D>::Kind::spring, .direction = -floor_normal, .speed = 9.0, .stiffness = 60.0, .mass = 20.0};
+  settings.audit = std::is_same_v<Law, AnyPairLaw>;
   SoftWorld<D, Law> world(law, settings, threads);
   const int count = 300;
   for (int k = 0; k < count; ++k) {
@@ -42,8 +54,14 @@ std::vector<double> crowd(const Law& law, int threads, bool periodic, bool synch
     velocity[up<D>] = k % 37 == 0 ? -10.0 : 0.0;
     world.add(position, velocity, {}, 0.35 + 0.15 * number(3), k < 5);
   }
+  world.set_loads({{40, floor_normal * 2.0}, {41, along * -3.0}});
   world.advance(1500);
   std::vector<double> state;
+  for (const auto& wall : world.method().walls()) {
+    state.push_back(wall.displacement);
+    state.push_back(wall.speed);
+  }
+  for (const auto& impulse : world.take_wall_impulses()) state.push_back(impulse[up<D>]);
   for (const auto k : by_id(world.grains)) {
     const auto& grain = world.grains.line[k];
     for (int axis = 0; axis < D; ++axis) {
@@ -57,20 +75,37 @@ std::vector<double> crowd(const Law& law, int threads, bool periodic, bool synch
     state.push_back(contact.normal_force);
     state.push_back(magnitude(contact.history));
   }
+  if (settings.audit) {
+    const auto energy = world.energy();
+    for (const double entry : {energy.damping, energy.friction, energy.walls, energy.walls_work, energy.loads_work,
+                               energy.elastic, energy.kinetic, energy.lost}) {
+      state.push_back(entry);
+    }
+  }
   return state;
 }
 
-template <int D>
-void check_bits(const NormalLaw& normal, bool periodic, bool synchronised) {
-  with_pair_law(normal, Cumulative{0.5, 1.214}, [&](const auto& law) {
-    const auto one = crowd<D>(law, 1, periodic, synchronised);
-    ASSERT_GT(one.size(), 2000U);
-    for (const int threads : {2, 3, 4, 7}) {
-      const auto many = crowd<D>(law, threads, periodic, synchronised);
-      ASSERT_EQ(one.size(), many.size());
-      for (std::size_t k = 0; k < one.size(); ++k) ASSERT_EQ(one[k], many[k]) << threads << " threads, number " << k;
-    }
-  });
+void expect_same(const std::vector<double>& one, const std::vector<double>& many, const std::string& what) {
+  ASSERT_EQ(one.size(), many.size());
+  for (std::size_t k = 0; k < one.size(); ++k) ASSERT_EQ(one[k], many[k]) << what << ", number " << k;
+}
+
+/// Of every kernel: the fused one of these laws, and the general one, which is its reference, account of energy and
+/// all.
+template <int D, class Normal>
+void check_bits(const Normal& normal, bool periodic, bool synchronised) {
+  const Cumulative tangential{0.5, 1.214};
+  const auto one = crowd<D>(PairLaw{normal, tangential}, 1, periodic, synchronised);
+  ASSERT_GT(one.size(), 2000U);
+  for (const int threads : {2, 3, 4, 7}) {
+    expect_same(one, crowd<D>(PairLaw{normal, tangential}, threads, periodic, synchronised),
+                std::to_string(threads) + " threads");
+  }
+  const auto general = any_pair_law({normal, tangential, {}, {}});
+  auto reference = crowd<D>(general, 1, periodic, synchronised);
+  expect_same(reference, crowd<D>(general, 3, periodic, synchronised), "general kernel, 3 threads");
+  reference.resize(one.size());
+  expect_same(reference, one, "general kernel and fused");
 }
 
 /// A wide periodic layer, so large that pairs across the boundary lie too far apart in memory for the ring.
@@ -120,9 +155,7 @@ TEST(SoftThreads, SameBitsForFarPairs) {
   for (std::size_t k = 0; k < one.size(); ++k) squares += std::pow(one[k] - moved[k], 2);
   EXPECT_LT(std::sqrt(squares / static_cast<double>(one.size())), 1e-5);
   for (const int threads : {2, 3}) {
-    const auto many = wide_layer(threads, 0.0);
-    ASSERT_EQ(one.size(), many.size());
-    for (std::size_t k = 0; k < one.size(); ++k) ASSERT_EQ(one[k], many[k]) << threads << " threads, number " << k;
+    expect_same(one, wide_layer(threads, 0.0), std::to_string(threads) + " threads");
   }
 }
 

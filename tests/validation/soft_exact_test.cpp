@@ -47,7 +47,7 @@ TEST(SoftRest, DiscOnFixedDisc) {
 TEST(SoftRest, DiscOnPlanes) {
   for (const bool smooth : {false, true}) {
     auto settings = settings_2d(0.001, 1.0);
-    settings.planes = {{{{0.0, 0.0}}, {{0.0, 1.0}}, smooth}};
+    settings.walls = {Wall<2>{.point = {{0.0, 0.0}}, .normal = {{0.0, 1.0}}, .smooth = smooth}};
     SoftWorld<2, PairLaw<Continuous, Cumulative>> world({continuous(36, 1.2), {}}, settings);
     const auto disc = world.add({{0.0, smooth ? 1.001 : 0.501}});
     world.advance(60000);
@@ -111,7 +111,7 @@ TEST(SoftImpact, HookeIsSecondOrder) {
 TEST(SoftRolling, SlidingDiscEndsRollingAtTwoThirds) {
   const auto final_state = [](const auto& law) {
     auto settings = settings_2d(0.001, 1.0);
-    settings.planes = {{{{0.0, 0.0}}, {{0.0, 1.0}}, false}};
+    settings.walls = {Wall<2>{.point = {{0.0, 0.0}}, .normal = {{0.0, 1.0}}}};
     SoftWorld<2, std::decay_t<decltype(law)>> world(law, settings);
     const auto disc = world.add({{0.0, 0.5}}, {{1.0, 0.0}});
     world.advance(40000);

@@ -85,6 +85,13 @@ REPOSE_FN constexpr double dot(const Vec<D>& a, const Vec<D>& b) {
   return sum;
 }
 
+/// Product of two rotations or tangents: a number in 2D.
+REPOSE_FN double inner(double a, double b) { return a * b; }
+template <int D>
+REPOSE_FN double inner(const Vec<D>& a, const Vec<D>& b) {
+  return dot(a, b);
+}
+
 /// The axis along which gravity acts by convention, and along which memory order runs fastest: the last.
 template <int D>
 inline constexpr int up = D - 1;

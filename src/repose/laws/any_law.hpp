@@ -23,6 +23,10 @@ REPOSE_FN NormalForce<double> normal_force(const AnyNormal& any, const Touch<dou
   return std::visit([&](const auto& law) { return normal_force(law, touch); }, any.law);
 }
 
+inline double elastic_energy(const AnyNormal& any, double mass, double diameter, double distance) {
+  return std::visit([&](const auto& law) { return elastic_energy(law, mass, diameter, distance); }, any.law);
+}
+
 struct AnyTangential {
   TangentialLaw law;
 };
@@ -37,6 +41,12 @@ REPOSE_FN double coulomb_limit(const AnyTangential& any, const NormalForce<doubl
   return std::visit([&](const auto& law) { return coulomb_limit(law, normal); }, any.law);
 }
 
+template <class Tangential>
+double stored_energy(const AnyTangential& any, const Touch<double>& touch, const NormalForce<double>& normal,
+                     const Tangential& delta) {
+  return std::visit([&](const auto& law) { return stored_energy(law, touch, normal, delta); }, any.law);
+}
+
 struct AnyRolling {
   RollingLaw law;
 };
@@ -47,6 +57,12 @@ REPOSE_FN Tangential rolling_force(const AnyRolling& any, const Touch<double>& t
                     any.law);
 }
 
+template <class Tangential>
+double stored_energy(const AnyRolling& any, const Touch<double>& touch, const NormalForce<double>& normal,
+                     const Tangential& displacement) {
+  return std::visit([&](const auto& law) { return stored_energy(law, touch, normal, displacement); }, any.law);
+}
+
 struct AnyCohesion {
   CohesionLaw law;
 };
@@ -54,7 +70,16 @@ REPOSE_FN double attraction(const AnyCohesion& any, const Touch<double>& touch) 
   return std::visit([&](const auto& law) { return attraction(law, touch); }, any.law);
 }
 
+inline double cohesion_energy(const AnyCohesion& any, const Touch<double>& touch) {
+  return std::visit([&](const auto& law) { return cohesion_energy(law, touch); }, any.law);
+}
+
 using AnyPairLaw = PairLaw<AnyNormal, AnyTangential, AnyRolling, AnyCohesion>;
+
+/// Energy [M L^2/T^2] that the normal force and cohesion of a touching pair have stored.
+inline double elastic_energy(const AnyPairLaw& law, const Touch<double>& touch) {
+  return elastic_energy(law.normal, touch.mass, touch.diameter, touch.distance) + cohesion_energy(law.cohesion, touch);
+}
 
 inline AnyPairLaw any_pair_law(const ContactLaws& laws) {
   return {{laws.normal}, {laws.tangential}, {laws.rolling}, {laws.cohesion}};

@@ -10,8 +10,9 @@ namespace repose {
 /// The forces of one contact on its first grain.
 template <class Tangential>
 struct ContactForce {
-  NormalForce<double> normal;  ///< `total` holds the cohesion too
-  Tangential tangential;       ///< [M L/T^2]
+  NormalForce<double> normal;  ///< without cohesion
+  double attraction = 0.0;     ///< [M L/T^2] of cohesion, to be taken off the normal force
+  Tangential tangential{};     ///< [M L/T^2]
   Tangential rolling{};        ///< [M L/T^2] rolling torque over the roll radius; the second grain feels the opposite
 };
 
@@ -29,10 +30,9 @@ template <class Law, class Tangential>
 REPOSE_FN ContactForce<Tangential> contact_force(const Law& law, const Touch<double>& touch,
                                                  const Tangential& slip_velocity, const Tangential& roll_velocity,
                                                  double dt, ContactHistory<Tangential>& history) {
-  ContactForce<Tangential> force{normal_force(law.normal, touch), {}, {}};
+  ContactForce<Tangential> force{normal_force(law.normal, touch), attraction(law.cohesion, touch), {}, {}};
   force.tangential = tangential_force(law.tangential, touch, force.normal, slip_velocity, dt, history.slip);
   force.rolling = rolling_force(law.rolling, touch, force.normal, roll_velocity, dt, history.roll);
-  force.normal.total -= attraction(law.cohesion, touch);
   return force;
 }
 

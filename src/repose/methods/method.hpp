@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/boundaries/wall.hpp"
 #include "repose/core/contacts.hpp"
+#include "repose/core/energy.hpp"
 #include "repose/core/grains.hpp"
 #include "repose/core/team.hpp"
 
+#include <cstdint>
 #include <vector>
 
 namespace repose {
@@ -14,6 +17,13 @@ namespace repose {
 struct StepReport {
   long steps = 0;        ///< steps taken
   bool trouble = false;  ///< a grain became too fast to follow, or not a number: the state is not to be trusted
+};
+
+/// A constant outer force on one grain.
+template <int D>
+struct Load {
+  std::int64_t grain = 0;  ///< id
+  Vec<D> force{};          ///< [M L/T^2]
 };
 
 /// A way to move the grains, as the Simulation sees it.
@@ -35,6 +45,18 @@ class Method {
   virtual Contacts<D> contacts(const Grains<D>& grains) const = 0;
 
   virtual double time_step() const = 0;
+
+  /// The outer forces from now on; the list may only grow, and a load that ends becomes zero.
+  virtual void set_loads(const std::vector<Load<D>>& loads) = 0;
+
+  /// Where the walls are now.
+  virtual const std::vector<WallState>& walls() const = 0;
+
+  /// Impulse of the grains on each wall [M L/T] since this was last called.
+  virtual std::vector<Vec<D>> taken_wall_impulses() = 0;
+
+  /// The account of the energy half a step ago; empty unless the method keeps one.
+  virtual Energy energy(const Grains<D>& grains) const = 0;
 };
 
 }  // namespace repose

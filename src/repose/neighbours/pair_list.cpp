@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace repose {
 
@@ -45,17 +46,17 @@ Lines later_lines(const CellGrid<D>& grid, const std::array<int, D>& cell, bool 
   return lines;
 }
 
-/// The history of the pair (i, j), both places in the old order; zero if it was not listed.
-template <int D>
-Tangent<D> old_history(const std::vector<std::uint32_t>& row_start, const std::vector<std::uint32_t>& partner,
-                       const std::vector<Tangent<D>>& history, std::uint32_t i, std::uint32_t j) {
+/// Place in the old list of the pair (i, j), both places in the old order; none if it was not listed.
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+std::uint32_t old_place(const std::vector<std::uint32_t>& row_start, const std::vector<std::uint32_t>& partner,
+                        std::uint32_t i, std::uint32_t j) {
   const auto low = std::min(i, j);
   const auto high = std::max(i, j);
-  if (low + 1 >= row_start.size()) return {};
+  if (low + 1 >= row_start.size()) return none;
   for (auto k = row_start[low]; k < row_start[low + 1]; ++k) {
-    if (partner[k] == high) return i < j ? history[k] : swapped(history[k]);
+    if (partner[k] == high) return k;
   }
-  return {};
+  return none;
 }
 
 }  // namespace
@@ -188,6 +189,7 @@ std::vector<std::uint32_t> PairList<D>::build(Grains<D>& grains, const Box<D>& b
   const std::vector<std::uint32_t> old_start = std::move(row_start);
   const std::vector<std::uint32_t> old_partner = std::move(partner);
   const std::vector<Tangent<D>> old = std::move(history);
+  const std::vector<Tangent<D>> old_roll = std::move(roll);
   row_start.assign(grains.size() + 1, 0);
   const auto members = static_cast<std::size_t>(team.size());
   std::vector<std::vector<std::uint32_t>> parts(members);
@@ -210,6 +212,7 @@ std::vector<std::uint32_t> PairList<D>::build(Grains<D>& grains, const Box<D>& b
   for (std::size_t i = 0; i < grains.size(); ++i) row_start[i + 1] += row_start[i];
   partner.resize(row_start.back());
   history.resize(row_start.back());
+  if (reach_.rolling) roll.resize(row_start.back());
   std::vector<std::uint32_t> widest(members, 0);
   team.run([&](int member) {
     const Range rows = share(grains.size(), member, team.size());
@@ -218,7 +221,10 @@ std::vector<std::uint32_t> PairList<D>::build(Grains<D>& grains, const Box<D>& b
     std::uint32_t band = 0;
     for (auto i = static_cast<std::uint32_t>(rows.begin); i < rows.end; ++i) {
       for (auto k = row_start[i]; k < row_start[i + 1]; ++k) {
-        history[k] = old_history<D>(old_start, old_partner, old, order[i], order[partner[k]]);
+        const auto was = old_place(old_start, old_partner, order[i], order[partner[k]]);
+        const bool turned_round = order[i] > order[partner[k]];
+        history[k] = was == none ? Tangent<D>{} : (turned_round ? swapped(old[was]) : old[was]);
+        if (reach_.rolling) roll[k] = was == none ? Tangent<D>{} : (turned_round ? -old_roll[was] : old_roll[was]);
         if (partner[k] - i <= far) band = std::max(band, partner[k] - i);
       }
     }
@@ -234,9 +240,9 @@ std::vector<std::uint32_t> PairList<D>::build(Grains<D>& grains, const Box<D>& b
 }
 
 template <int D>
-bool PairList<D>::stale(const Grains<D>& grains) {
+bool PairList<D>::stale(const Grains<D>& grains, double other_way) {
   if (!valid_) return true;
-  double least = 0.5 * reach_.skin;
+  double least = 0.5 * reach_.skin - other_way;
   for (std::size_t k = 0; k < grains.size(); ++k) {
     const Vec<D> d = grains.line[k].position - built_at_[k];
     least = std::min(least, allowance_[k] - std::sqrt(dot(d, d)));

@@ -17,6 +17,7 @@ struct PairReach {
   double skin = 0.3;     ///< [L] extra distance within which pairs are listed
   double horizon = 0.0;  ///< [T] fast grains list what they can meet within this time, so that they force no rebuild
   double gravity = 0.0;  ///< [L/T^2] by which they may speed up meanwhile
+  bool rolling = false;  ///< pairs remember a rolling displacement too
 };
 
 /// Pairs of grains that may touch before the list is next built: for each grain i its partners j > i in memory order,
@@ -43,8 +44,12 @@ class PairList {
   /// Whether a cheap bound allows the list to be out of date; then `stale` decides.
   bool suspect() const { return !valid_ || travelled_ > slack_; }
 
-  /// Looks at the true displacements: whether the list must be built again before the next forces.
-  bool stale(const Grains<D>& grains);
+  /// Looks at the true displacements: whether the list must be built again before the next forces. Anything else that
+  /// moves, as a wall does, has gone `other_way` [L] since the list was built.
+  bool stale(const Grains<D>& grains, double other_way = 0.0);
+
+  /// How far a grain may go from where it was when the list was built [L]: half the skin, more for fast ones.
+  double allowance(std::size_t i) const { return allowance_[i]; }
 
   std::size_t rows() const { return row_start.empty() ? 0 : row_start.size() - 1; }
   std::size_t pairs() const { return partner.size(); }
@@ -59,6 +64,7 @@ class PairList {
   std::vector<std::uint32_t> row_start;  ///< (n + 1) first pair of each grain
   std::vector<std::uint32_t> partner;    ///< (pairs) memory place of j
   std::vector<Tangent<D>> history;       ///< (pairs) [L] tangential displacement; zero when the pair is apart
+  std::vector<Tangent<D>> roll;          ///< (pairs) [L] rolling displacement; empty unless asked for
 
  private:
   struct Extra {

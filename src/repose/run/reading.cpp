@@ -13,7 +13,7 @@ constexpr double core_above_base = 2.0;  // diameters
 
 std::vector<Edge> edges_of(const Scene& scene) {
   std::vector<Edge> edges;
-  for (const auto& plane : make_planes(scene)) edges.push_back({plane.point, plane.normal});
+  for (const auto& plane : make_walls(scene)) edges.push_back({plane.point, plane.normal});
   return edges;
 }
 

@@ -71,7 +71,7 @@ RunFacts read_facts(const Hdf5Reader& file) {
 }
 
 void write_planes(Hdf5File& file, const Scene& scene) {
-  const auto planes = make_planes(scene);
+  const auto planes = make_walls(scene);
   if (planes.empty()) return;
   std::vector<double> point;
   std::vector<double> normal;
@@ -178,7 +178,7 @@ Track read_track(const Hdf5Reader& file) {
 /// A damaged file may name grains that are not there; nothing behind this point looks again.
 void check_partners(const Hdf5Reader& file, const Record& record) {
   const auto& id = record.grains.id;
-  const auto planes = static_cast<std::int64_t>(make_planes(record.scene).size());
+  const auto planes = static_cast<std::int64_t>(make_walls(record.scene).size());
   const auto known = [&](std::int64_t k) { return std::binary_search(id.begin(), id.end(), k); };
   const bool sound =
       std::is_sorted(id.begin(), id.end()) &&

@@ -83,15 +83,15 @@ Grains<2> initial_grains(const Scene& scene) {
   return grains;
 }
 
-std::vector<Plane<2>> make_planes(const Scene& scene) {
-  std::vector<Plane<2>> planes;
-  if (scene.base.kind == "plane") planes.push_back({{{0.0, 0.0}}, {{0.0, 1.0}}, scene.base.smooth});
-  for (const auto& wall : scene.planes) {
-    const Vec<2> normal{{wall.normal[0], wall.normal[1]}};
-    planes.push_back(
-        {{{wall.point[0], wall.point[1]}}, normal * (1.0 / std::hypot(normal[0], normal[1])), wall.smooth});
+std::vector<Wall<2>> make_walls(const Scene& scene) {
+  std::vector<Wall<2>> walls;
+  if (scene.base.kind == "plane") walls.push_back({{{0.0, 0.0}}, {{0.0, 1.0}}, scene.base.smooth});
+  for (const auto& plane : scene.planes) {
+    const Vec<2> normal{{plane.normal[0], plane.normal[1]}};
+    walls.push_back(
+        {{{plane.point[0], plane.point[1]}}, normal * (1.0 / std::hypot(normal[0], normal[1])), plane.smooth});
   }
-  return planes;
+  return walls;
 }
 
 Box<2> make_box(const Scene& scene) {
@@ -109,10 +109,10 @@ std::unique_ptr<Method<2>> make_method(const Scene& scene) {
   settings.time_step = scene.time_step();
   settings.gravity = {{0.0, -scene.gravity}};
   settings.box = make_box(scene);
-  settings.planes = make_planes(scene);
+  settings.walls = make_walls(scene);
   settings.synchronised = scene.synchronised();
   settings.skin = scene.method.skin;
-  return make_soft<2>(scene.contact.normal, scene.contact.tangential, settings);
+  return make_soft<2>({1, {{scene.contact.normal, scene.contact.tangential, {}, {}}}}, settings);
 }
 
 }  // namespace repose

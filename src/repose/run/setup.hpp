@@ -18,8 +18,8 @@ Grain<2> make_grain(const Scene& scene, double diameter);
 /// the placed ones.
 Grains<2> initial_grains(const Scene& scene);
 
-/// The planes of the scene, a base plane first.
-std::vector<Plane<2>> make_planes(const Scene& scene);
+/// The walls of the scene: a base plane first, then planes, then segments.
+std::vector<Wall<2>> make_walls(const Scene& scene);
 
 Box<2> make_box(const Scene& scene);
 

@@ -20,4 +20,9 @@ REPOSE_FN Tangential rolling_force(const FreeRolling&, const Touch<double>&, con
   return Tangential{};
 }
 
+template <class Tangential>
+double stored_energy(const FreeRolling&, const Touch<double>&, const NormalForce<double>&, const Tangential&) {
+  return 0.0;
+}
+
 }  // namespace repose

@@ -46,4 +46,13 @@ REPOSE_FN double coulomb_limit(const Cumulative& law, const NormalForce<double>&
   return law.friction * normal.elastic;
 }
 
+template <class Tangential>
+double stored_energy(const Cumulative& law, const Touch<double>& touch, const NormalForce<double>& normal,
+                     const Tangential& delta) {
+  const double furthest = law.alpha * law.friction * touch.engagement;
+  if (!(furthest > 0.0)) return 0.0;
+  const double rest = positive_part(1.0 - magnitude(delta) / furthest);
+  return law.friction * normal.elastic * (magnitude(delta) - 0.4 * furthest * (1.0 - rest * rest * std::sqrt(rest)));
+}
+
 }  // namespace repose

@@ -37,4 +37,9 @@ REPOSE_FN double coulomb_limit(const Linear& law, const NormalForce<double>& nor
   return law.friction * positive_part(normal.total);
 }
 
+template <class Tangential>
+double stored_energy(const Linear& law, const Touch<double>&, const NormalForce<double>&, const Tangential& delta) {
+  return 0.5 * law.stiffness * squared(delta);
+}
+
 }  // namespace repose

@@ -18,4 +18,9 @@ REPOSE_FN Tangential tangential_force(const None&, const Touch<double>&, const N
 
 REPOSE_FN double coulomb_limit(const None&, const NormalForce<double>&) { return 0.0; }
 
+template <class Tangential>
+double stored_energy(const None&, const Touch<double>&, const NormalForce<double>&, const Tangential&) {
+  return 0.0;
+}
+
 }  // namespace repose

@@ -2,30 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/boundaries/plane.hpp"
+#include "repose/boundaries/wall.hpp"
 #include "repose/core/box.hpp"
 #include "repose/core/grains.hpp"
 #include "repose/laws/contact_force.hpp"
+#include "repose/methods/soft/push.hpp"
 
 #include <cmath>
 
 namespace repose::soft {
 
-/// What a contact does to its first grain; the second feels minus the force and the same rim torque.
-template <int D>
-struct Push {
-  Vec<D> force{};        ///< [M L/T^2]
-  Spin<D> rim_torque{};  ///< [M L/T^2] torque over radius: what changes the rim velocity
-};
-
-/// Geometry of a pair within reach.
+/// Geometry and relative motion of a pair within reach.
 template <int D>
 struct PairGeometry {
   Touch<double> touch;
   Vec<D> normal;  ///< from the second to the first
   Tangent<D> slip_velocity;
+  Tangent<D> roll_velocity;
   double lever;  ///< contact point from either centre, over the radius of that grain
 };
+
+/// The part of a difference of angular velocities that is rolling: in 3D, all but the spin about the normal.
+REPOSE_FN double rolling_part(double spin, const Vec<2>&) { return spin; }
+REPOSE_FN Vec<3> rolling_part(const Vec<3>& spin, const Vec<3>& normal) { return tangential(spin, normal); }
 
 /// The pair as a law sees it. Each grain's lever is its own share r s_i / (s_i + s_j) of the distance r: with the whole
 /// distance, as printed in Baxter et al. (6) and (13), a rigid rotation would count as slip.
@@ -42,69 +41,82 @@ REPOSE_FN PairGeometry<D> pair_geometry(const Grain<D>& a, const Grain<D>& b, co
   const double mass = 2.0 * a.mass * b.mass / (a.mass + b.mass);
   const double reduced_mass = 1.0 / (a.inverse_mass + b.inverse_mass);
   const double roll_radius = 2.0 * a.radius * b.radius / radii;
+  const auto turning = a.rim_velocity * (roll_radius / a.radius) - b.rim_velocity * (roll_radius / b.radius);
   return {make_touch(distance, inverse, radii, reach, -dot(relative, normal), mass, reduced_mass, roll_radius), normal,
-          tangential(relative, normal) - spin_cross(rim * lever, normal), lever};
+          tangential(relative, normal) - spin_cross(rim * lever, normal), rolling_part(turning, normal), lever};
 }
 
-/// Force of pair (a, b) on a; brings the history forward by dt. False, and history zero, if the pair is apart.
-template <bool Periodic, int D, class Law>
+/// What the forces of a contact do to its grains, of these radii.
+template <int D, bool Full>
+REPOSE_FN void set_push(const PairGeometry<D>& pair, const ContactForce<Tangent<D>>& force, double radius,
+                        double back_radius, Push<D, Full>& push) {
+  const Vec<D> friction = in_space(force.tangential, pair.normal);
+  push.force = pair.normal * (force.normal.total - force.attraction) + friction;
+  push.rim_torque = normal_cross(pair.normal, force.tangential) * -pair.lever;
+  if constexpr (Full) {
+    push.back_rim_torque = push.rim_torque - force.rolling * (pair.touch.roll_radius / back_radius);
+    push.rim_torque += force.rolling * (pair.touch.roll_radius / radius);
+    push.damping = pair.normal * (force.normal.total - force.normal.elastic);
+    push.friction = friction;
+  }
+}
+
+/// Force of pair (a, b) on a; brings the history forward by dt, `roll` only in a full kernel. False, and the history
+/// zero, if the pair is apart.
+template <bool Periodic, int D, class Law, bool Full>
 REPOSE_FN bool pair_force(const Law& law, const Grain<D>& a, const Grain<D>& b, const Box<D>& box, double dt,
-                          Tangent<D>& history, Push<D>& push) {
+                          Tangent<D>& slip, Tangent<D>& roll, Push<D, Full>& push) {
   const Vec<D> d = separation<Periodic>(a.position, b.position, box);
   const double distance2 = dot(d, d);
   const double within = reach(law.normal) * (a.radius + b.radius);
   if (distance2 >= within * within) {
-    history = Tangent<D>{};
+    slip = Tangent<D>{};
+    if constexpr (Full) roll = Tangent<D>{};
     return false;
   }
   const auto pair = pair_geometry(a, b, d, distance2, within);
-  history = turned(history, pair.normal);
-  ContactHistory<Tangent<D>> both{history, {}};
-  const auto force = contact_force(law, pair.touch, pair.slip_velocity, Tangent<D>{}, dt, both);
-  history = both.slip;
-  push.force = pair.normal * force.normal.total + in_space(force.tangential, pair.normal);
-  push.rim_torque = normal_cross(pair.normal, force.tangential) * -pair.lever;
+  ContactHistory<Tangent<D>> history{turned(slip, pair.normal), {}};
+  if constexpr (Full) history.roll = turned(roll, pair.normal);
+  const auto force = contact_force(law, pair.touch, pair.slip_velocity, pair.roll_velocity, dt, history);
+  slip = history.slip;
+  if constexpr (Full) roll = history.roll;
+  set_push(pair, force, a.radius, b.radius, push);
   return true;
 }
 
-/// Geometry of a grain and a plane: the plane is a grain of the same size and nominal mass that cannot move.
+/// The same where nothing resists rolling.
+template <bool Periodic, int D, class Law>
+REPOSE_FN bool pair_force(const Law& law, const Grain<D>& a, const Grain<D>& b, const Box<D>& box, double dt,
+                          Tangent<D>& slip, Push<D>& push) {
+  Tangent<D> roll{};
+  return pair_force<Periodic>(law, a, b, box, dt, slip, roll, push);
+}
+
+/// Geometry of a grain and a wall: the wall is a grain of the same size and nominal mass that no grain can move.
+/// False if the two are apart.
 template <int D, class Law>
-REPOSE_FN bool plane_geometry(const Law& law, const Grain<D>& a, const Plane<D>& plane, PairGeometry<D>& pair) {
+REPOSE_FN bool wall_geometry(const Law& law, const Grain<D>& a, const Wall<D>& wall, const WallNow<D>& now,
+                             const Box<D>& box, PairGeometry<D>& pair) {
   const double diameter = 2.0 * a.radius;
-  const double distance = plane.distance(plane.height(a.position), a.radius);
+  const Vec<D> from_point = wall.finite() ? separation(a.position, now.point, box) : Vec<D>(a.position - now.point);
+  const auto place = above(wall, from_point);
+  const double distance = wall.smooth ? place.height : place.height + a.radius;
   const double within = reach(law.normal) * diameter;
-  if (distance >= within) return false;
-  const Tangent<D> slip = tangential(a.velocity, plane.normal) - spin_cross(a.rim_velocity, plane.normal);
+  if (!now.there || distance >= within) return false;
+  const Vec<D> relative = a.velocity - now.velocity;
+  const Tangent<D> slip = tangential(relative, place.normal) - spin_cross(a.rim_velocity, place.normal);
   pair = {
-      make_touch(distance, 1.0 / distance, diameter, within, -dot(a.velocity, plane.normal), a.mass, a.mass, a.radius),
-      plane.normal, slip, 1.0};
+      make_touch(distance, 1.0 / distance, diameter, within, -dot(relative, place.normal), a.mass, a.mass, a.radius),
+      place.normal, slip, rolling_part(a.rim_velocity, place.normal), 1.0};
   return true;
 }
 
-/// Both forces of a grain and a plane.
+/// All forces of a grain and a wall.
 template <int D, class Law>
-REPOSE_FN ContactForce<Tangent<D>> plane_contact(const Law& law, const Plane<D>& plane, const PairGeometry<D>& pair,
-                                                 double dt, Tangent<D>& history) {
-  if (plane.smooth) return {normal_force(law.normal, pair.touch), Tangent<D>{}};
-  ContactHistory<Tangent<D>> both{history, {}};
-  const auto force = contact_force(law, pair.touch, pair.slip_velocity, Tangent<D>{}, dt, both);
-  history = both.slip;
-  return force;
-}
-
-/// Force of a plane on grain a.
-template <int D, class Law>
-REPOSE_FN bool plane_force(const Law& law, const Grain<D>& a, const Plane<D>& plane, double dt, Tangent<D>& history,
-                           Push<D>& push) {
-  PairGeometry<D> pair;
-  if (!plane_geometry(law, a, plane, pair)) {
-    history = Tangent<D>{};
-    return false;
-  }
-  const auto force = plane_contact(law, plane, pair, dt, history);
-  push.force = pair.normal * force.normal.total + in_space(force.tangential, pair.normal);
-  push.rim_torque = normal_cross(pair.normal, force.tangential) * -pair.lever;
-  return true;
+REPOSE_FN ContactForce<Tangent<D>> wall_contact(const Law& law, const Wall<D>& wall, const PairGeometry<D>& pair,
+                                                double dt, ContactHistory<Tangent<D>>& history) {
+  if (wall.smooth) return {normal_force(law.normal, pair.touch), 0.0, {}, {}};
+  return contact_force(law, pair.touch, pair.slip_velocity, pair.roll_velocity, dt, history);
 }
 
 }  // namespace repose::soft

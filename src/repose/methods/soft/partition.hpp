@@ -26,22 +26,25 @@ struct Arrival {
   std::uint32_t edge;    ///< which of them
 };
 
-/// Partial sums of the forces on grains that the sweep has yet to come to: 32 bytes in 2D.
+/// A grain in memory on which an outer force acts.
 template <int D>
-struct alignas(32) Slot {
-  Vec<D> force{};
-  Spin<D> rim_torque{};
+struct LoadedGrain {
+  std::uint32_t i;
+  std::uint32_t load;  ///< number of the load
+  Vec<D> force;        ///< [M L/T^2]
 };
 
 /// One member's contiguous range of grains and its workspace.
-template <int D>
+template <int D, bool Full>
 struct Share {
   Range rows;
-  std::vector<EdgePair> edges;     ///< ascending by (i, k): the order in which the sweep comes to them
-  std::vector<Push<D>> edge_push;  ///< forces of the edges in this step
-  std::vector<Arrival> arrivals;   ///< edges that end in this range, ascending by (j, i)
-  std::vector<Slot<D>> ring;       ///< size a power of two, more than the bandwidth
-  double fastest2 = 0.0;           ///< [L^2/T^2] of this step
+  std::vector<EdgePair> edges;           ///< ascending by (i, k): the order in which the sweep comes to them
+  std::vector<Push<D, Full>> edge_push;  ///< forces of the edges in this step
+  std::vector<Arrival> arrivals;         ///< edges that end in this range, ascending by (j, i)
+  std::vector<Slot<D, Full>> ring;       ///< size a power of two, more than the bandwidth
+  std::vector<WallState> walls;          ///< every member moves the walls itself, by the same numbers
+  std::vector<WallNow<D>> walls_now;
+  double fastest2 = 0.0;  ///< [L^2/T^2] of grains and walls in this step
   bool trouble = false;
 };
 
@@ -52,9 +55,9 @@ inline std::uint32_t ring_end(const Range& rows, std::uint32_t i, std::uint32_t 
 }
 
 /// Splits the grains among the members of a team by the work in their rows and finds the edges.
-template <int D>
-std::vector<Share<D>> make_shares(const PairList<D>& pairs, std::size_t grains, int members) {
-  std::vector<Share<D>> shares(static_cast<std::size_t>(members));
+template <int D, bool Full>
+std::vector<Share<D, Full>> make_shares(const PairList<D>& pairs, std::size_t grains, int members) {
+  std::vector<Share<D, Full>> shares(static_cast<std::size_t>(members));
   const double row_cost = 2.0;  // a row without pairs costs about as much as two pairs
   const double all = static_cast<double>(pairs.pairs()) + row_cost * static_cast<double>(grains);
   std::size_t i = 0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/boundaries/plane.hpp"
+#include "repose/boundaries/wall.hpp"
 #include "repose/core/box.hpp"
 #include "repose/core/vec.hpp"
 
@@ -16,8 +16,10 @@ struct SoftSettings {
   double time_step = 0.0;  ///< [T] > 0
   Vec<D> gravity{};        ///< [L/T^2]
   Box<D> box{};
-  std::vector<Plane<D>> planes;
+  std::vector<Wall<D>> walls;
   bool synchronised = false;  ///< forces from velocities predicted for the full step (large size ratios)
+  bool audit = false;         ///< keep account of the energy; in a full kernel only
+  bool reference = false;     ///< run the general kernel even where a fused one gives the same bits faster
   double skin = 0.3;          ///< [L] of the pair list
 };
 

@@ -2,17 +2,55 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/methods/soft/soft.hpp"
 
+#include <algorithm>
+#include <optional>
+
 namespace repose {
 
-template <int D>
-std::unique_ptr<Method<D>> make_soft(const NormalLaw& normal, const TangentialLaw& tangential,
-                                     const SoftSettings<D>& settings) {
-  return with_pair_law(normal, tangential, [&](const auto& law) -> std::unique_ptr<Method<D>> {
-    using Law = std::decay_t<decltype(law)>;
-    return std::make_unique<Soft<D, Law>>(soft::LawsOfMaterials<Law>(law), settings);
-  });
+namespace {
+
+/// The table as laws of one fused kernel, if every pair of materials is made of these two and nothing else.
+template <class Normal, class Tangential>
+std::optional<soft::LawsOfMaterials<PairLaw<Normal, Tangential>>> fused(const MaterialLaws& laws) {
+  std::vector<PairLaw<Normal, Tangential>> table;
+  for (const auto& pair : laws.table) {
+    const auto* normal = std::get_if<Normal>(&pair.normal);
+    const auto* tangential = std::get_if<Tangential>(&pair.tangential);
+    const bool plain =
+        std::holds_alternative<FreeRolling>(pair.rolling) && std::holds_alternative<NoCohesion>(pair.cohesion);
+    if (normal == nullptr || tangential == nullptr || !plain) return std::nullopt;
+    table.push_back({*normal, *tangential, {}, {}});
+  }
+  return soft::LawsOfMaterials<PairLaw<Normal, Tangential>>(std::move(table), laws.materials);
 }
 
-template std::unique_ptr<Method<2>> make_soft(const NormalLaw&, const TangentialLaw&, const SoftSettings<2>&);
+/// The combinations that people run all the time have kernels of their own: the first that fits is taken.
+template <int D, class... Laws>
+std::unique_ptr<Method<D>> make_fused(const MaterialLaws& laws, const SoftSettings<D>& settings) {
+  std::unique_ptr<Method<D>> made;
+  const auto attempt = [&](auto&& found) {
+    using Law = std::decay_t<decltype(found->first())>;
+    if (!made && found) made = std::make_unique<Soft<D, Law>>(*found, settings);
+  };
+  (attempt(fused<decltype(Laws::normal), decltype(Laws::tangential)>(laws)), ...);
+  return made;
+}
+
+}  // namespace
+
+template <int D>
+std::unique_ptr<Method<D>> make_soft(const MaterialLaws& laws, const SoftSettings<D>& settings) {
+  if (!settings.audit && !settings.reference) {
+    auto made = make_fused<D, PairLaw<Hooke, Linear>, PairLaw<Continuous, Cumulative>, PairLaw<Hooke, Cumulative>>(
+        laws, settings);
+    if (made) return made;
+  }
+  std::vector<AnyPairLaw> table;
+  for (const auto& pair : laws.table) table.push_back(any_pair_law(pair));
+  return std::make_unique<Soft<D, AnyPairLaw>>(soft::LawsOfMaterials<AnyPairLaw>(std::move(table), laws.materials),
+                                               settings);
+}
+
+template std::unique_ptr<Method<2>> make_soft(const MaterialLaws&, const SoftSettings<2>&);
 
 }  // namespace repose

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/laws/registry.hpp"
+#include "repose/laws/any_law.hpp"
 #include "repose/methods/method.hpp"
+#include "repose/methods/soft/audit.hpp"
 #include "repose/methods/soft/sweep.hpp"
 
 #include <algorithm>
@@ -17,22 +18,30 @@ namespace repose {
 
 /// Soft-particle dynamics: forces from overlap, explicit leapfrog.
 /// Source: Baxter et al. (1997), section II, as corrected in docs/physics/soft.md.
-template <int D, class Law>
+///
+/// `Full` kernels know rolling resistance and keep account of the energy; the others are faster.
+template <int D, class Law, bool Full = std::is_same_v<Law, AnyPairLaw>>
 class Soft final : public Method<D> {
  public:
   Soft(soft::LawsOfMaterials<Law> laws, SoftSettings<D> settings)
       : laws_(std::move(laws)),
         settings_(std::move(settings)),
         pairs_(PairReach{widest_reach(), settings_.skin, look_ahead_steps * settings_.time_step,
-                         magnitude(settings_.gravity)}),
-        plane_history_(settings_.planes.size()) {}
+                         magnitude(settings_.gravity), Full}),
+        walls_(settings_.walls.size()) {
+    REPOSE_ASSERT(Full || !settings_.audit);
+  }
 
   void grains_added(Grains<D>& grains) override {
     pairs_.invalidate();
-    if (!settings_.synchronised) return;
-    for (auto i = grains.half_step.size(); i < grains.size(); ++i) {
-      grains.half_step.push_back({grains.line[i].velocity, grains.line[i].rim_velocity});
+    if (settings_.synchronised) {
+      for (auto i = grains.half_step.size(); i < grains.size(); ++i) {
+        grains.half_step.push_back({grains.line[i].velocity, grains.line[i].rim_velocity});
+      }
     }
+    for (auto i = known_; settings_.audit && i < grains.size(); ++i)
+      energy_.sources += soft::own_energy(grains, i, settings_, behind());
+    known_ = grains.size();
   }
 
   void refresh(Grains<D>& grains, Team& team) override {
@@ -45,28 +54,34 @@ class Soft final : public Method<D> {
     while (report.steps < steps && !report.trouble) {
       refresh_pairs(grains, team);
       const long before = report.steps;
+      const long start = step_;
       team.run([&](int member) {
         // Every member goes through the same numbers and comes to the same decisions.
+        auto& mine = shares_[static_cast<std::size_t>(member)];
         long done = before;
         double travelled = pairs_.travelled();
         bool trouble = false;
         while (done < steps && !trouble && travelled <= pairs_.slack()) {
-          soft::sweep(input(started_ || done > 0), grains, shares_, team, member);
+          const auto in = input(start + done - before);
+          soft::sweep(in, grains, shares_, team, member);
           double fastest2 = 0.0;
           for (const auto& share : shares_) {
             fastest2 = std::max(fastest2, share.fastest2);
             trouble |= share.trouble;
           }
+          soft::move_walls(in, mine);
+          for (const auto& wall : mine.walls) fastest2 = std::max(fastest2, squared(wall.speed));
           travelled += settings_.time_step * std::sqrt(fastest2);
           ++done;
         }
         if (team.size() > 1) team.wait();
         if (member != 0) return;
         pairs_.moved(travelled - pairs_.travelled());
+        walls_ = mine.walls;
         report.steps = done;
         report.trouble = trouble;
       });
-      started_ = true;
+      step_ += report.steps - before;
     }
     return report;
   }
@@ -74,6 +89,17 @@ class Soft final : public Method<D> {
   Contacts<D> contacts(const Grains<D>& grains) const override;
 
   double time_step() const override { return settings_.time_step; }
+
+  void set_loads(const std::vector<Load<D>>& loads) override {
+    loads_ = loads;
+    load_work_.resize(loads_.size(), 0.0);
+    pairs_.invalidate();  // where the loaded grains are is found out with the next list
+  }
+
+  const std::vector<WallState>& walls() const override { return walls_; }
+  std::vector<Vec<D>> taken_wall_impulses() override { return wall_list_.taken_impulses(walls_.size()); }
+  Energy energy(const Grains<D>& grains) const override;
+
   const PairList<D>& pairs() const { return pairs_; }
 
  private:
@@ -86,47 +112,113 @@ class Soft final : public Method<D> {
     return widest;
   }
 
-  void refresh_pairs(Grains<D>& grains, Team& team) {
-    if (!pairs_.suspect() || !pairs_.stale(grains)) return;
-    const auto order = pairs_.build(grains, settings_.box, team);
-    for (auto& history : plane_history_) {
-      std::vector<Tangent<D>> moved(order.size());
-      for (std::size_t k = 0; k < order.size(); ++k) {
-        if (order[k] < history.size()) moved[k] = history[order[k]];
-      }
-      history.swap(moved);
+  /// How far velocities are behind positions [T]: half a step, except at the start of time.
+  double behind() const { return step_ > 0 ? 0.5 * settings_.time_step : 0.0; }
+
+  double now() const { return static_cast<double>(step_) * settings_.time_step; }
+
+  std::vector<WallNow<D>> walls_now() const {
+    std::vector<WallNow<D>> all;
+    for (std::size_t w = 0; w < walls_.size(); ++w) all.push_back(wall_now(settings_.walls[w], walls_[w], now()));
+    return all;
+  }
+
+  double furthest_wall() const {
+    double furthest = 0.0;
+    for (std::size_t w = 0; w < walls_at_build_.size(); ++w) {
+      furthest = std::max(furthest, std::fabs(walls_[w].displacement - walls_at_build_[w].displacement));
     }
-    shares_ = soft::make_shares(pairs_, grains.size(), team.size());
+    return furthest;
+  }
+
+  void refresh_pairs(Grains<D>& grains, Team& team) {
+    if (!pairs_.suspect() || !pairs_.stale(grains, furthest_wall())) return;
+    if (settings_.audit) close_work(grains);
+    const auto order = pairs_.build(grains, settings_.box, team);
+    known_ = grains.size();
+    if (settings_.audit) work_.assign(grains.size(), {});
+    const auto now = walls_now();
+    wall_list_.build(grains, order, settings_.walls, now, settings_.box, pairs_, widest_reach(), settings_.skin);
+    walls_at_build_ = walls_;
+    find_loaded(grains);
+    shares_ = soft::make_shares<D, Full>(pairs_, grains.size(), team.size());
+    for (auto& share : shares_) {
+      share.walls = walls_;
+      share.walls_now = now;
+    }
+    if (settings_.audit && step_ == 0) {
+      Energy start;
+      add_elastic(start, grains);
+      const double pressed = start.elastic + start.dissipated();  // less what springs of friction would store at once
+      energy_.sources += pressed - elastic_at_start_;
+      elastic_at_start_ = pressed;
+    }
     smallest_radius_ = std::numeric_limits<double>::infinity();
     for (const auto& grain : grains.line) smallest_radius_ = std::min(smallest_radius_, grain.radius);
   }
 
-  soft::SweepInput<D, Law> input(bool started) {
-    const double limit = smallest_radius_ / settings_.time_step;
-    return {laws_,        settings_, pairs_, plane_history_, started ? settings_.time_step : 0.5 * settings_.time_step,
-            limit * limit};
+  /// Takes the work of every grain into the account before grains are reordered or dropped, and what leaves with these.
+  void close_work(const Grains<D>& grains) {
+    for (const auto& work : work_) soft::add(energy_, work);
+    work_.clear();
+    for (std::size_t i = 0; i < grains.size(); ++i) {
+      const auto& grain = grains.line[i];
+      if (!grain.fixed() && settings_.box.outside(grain.position))
+        energy_.lost += soft::own_energy(grains, i, settings_, behind());
+    }
   }
+
+  void add_elastic(Energy& account, const Grains<D>& grains) const;
+
+  void find_loaded(const Grains<D>& grains) {
+    loaded_.clear();
+    for (std::uint32_t load = 0; load < loads_.size(); ++load) {
+      const auto found = std::find(grains.id.begin(), grains.id.end(), loads_[load].grain);
+      if (found == grains.id.end()) continue;
+      loaded_.push_back({static_cast<std::uint32_t>(found - grains.id.begin()), load, loads_[load].force});
+    }
+    std::stable_sort(loaded_.begin(), loaded_.end(), [](const auto& a, const auto& b) { return a.i < b.i; });
+  }
+
+  soft::SweepInput<D, Law> input(long step) {
+    const double limit = smallest_radius_ / settings_.time_step;
+    // The first kick is half a step, from velocities at the time of the positions.
+    const double kick = step > 0 ? settings_.time_step : 0.5 * settings_.time_step;
+    return {laws_, settings_, pairs_, wall_list_, work_, loaded_, load_work_, kick, step, limit * limit};
+  }
+
+  /// Calls use(first id, second id or wall, law, geometry, force, history, lever of the first) for every pair in reach,
+  /// in the order of the lists, with places `back` [T] ago and histories brought forward by as much.
+  template <class Use>
+  void for_every_contact(const Grains<D>& grains, double back, const Use& use) const;
 
   soft::LawsOfMaterials<Law> laws_;
   SoftSettings<D> settings_;
   PairList<D> pairs_;
-  std::vector<std::vector<Tangent<D>>> plane_history_;  // per plane and grain
-  std::vector<soft::Share<D>> shares_;
+  long step_ = 0;
+  std::vector<WallState> walls_;
+  std::vector<WallState> walls_at_build_;
+  soft::WallList<D> wall_list_;
+  std::vector<Load<D>> loads_;
+  std::vector<double> load_work_;             // [M L^2/T^2] per load
+  std::vector<soft::LoadedGrain<D>> loaded_;  // of the present list
+  std::vector<soft::Share<D, Full>> shares_;
   double smallest_radius_ = 0.0;
-  bool started_ = false;  // the first kick is half a step, from velocities at the time of the positions
+  Energy energy_;                      // what came and went; of dissipation, what was before the present list
+  std::vector<soft::GrainWork> work_;  // since the present list was built
+  double elastic_at_start_ = 0.0;      // of contacts that are there at the start of time
+  std::size_t known_ = 0;              // grains whose energy is in the account
 };
 
-template <int D, class Law>
-Contacts<D> Soft<D, Law>::contacts(const Grains<D>& grains) const {
-  Contacts<D> contacts;
-  const auto report = [&](std::int64_t first, std::int64_t second, const Law& law, const soft::PairGeometry<D>& pair,
-                          const ContactForce<Tangent<D>>& force, const Tangent<D>& history, double first_lever) {
-    const double limit = coulomb_limit(law.tangential, force.normal);
-    contacts.list.push_back({first, second, pair.normal, pair.touch.overlap, pair.touch.overlap / pair.touch.diameter,
-                             force.normal.total, force.tangential, history, first_lever,
-                             limit > 0.0 && magnitude(force.tangential) >= limit * (1.0 - 1e-9)});
-  };
+template <int D, class Law, bool Full>
+template <class Use>
+void Soft<D, Law, Full>::for_every_contact(const Grains<D>& grains, double back, const Use& use) const {
   const auto& box = settings_.box;
+  const auto at = [&](std::size_t i) {
+    auto grain = grains.line[i];
+    grain.position -= grain.velocity * back;
+    return grain;
+  };
   for (std::uint32_t i = 0; i < pairs_.rows(); ++i) {
     for (auto k = pairs_.row_start[i]; k < pairs_.row_start[i + 1]; ++k) {
       const auto j = pairs_.partner[k];
@@ -135,38 +227,92 @@ Contacts<D> Soft<D, Law>::contacts(const Grains<D>& grains) const {
       const auto a = swap ? j : i;
       const auto b = swap ? i : j;
       const auto& law = laws_.of(grains.material[a], grains.material[b]);
-      const auto& first = grains.line[a];
-      const auto& second = grains.line[b];
+      const auto first = at(a);
+      const auto second = at(b);
       const Vec<D> d = separation(first.position, second.position, box);
       const double within = reach(law.normal) * (first.radius + second.radius);
       if (dot(d, d) >= within * within) continue;
       const auto pair = soft::pair_geometry(first, second, d, dot(d, d), within);
-      Tangent<D> history = turned(swap ? swapped(pairs_.history[k]) : pairs_.history[k], pair.normal);
-      ContactHistory<Tangent<D>> both{history, {}};
-      const auto force = contact_force(law, pair.touch, pair.slip_velocity, Tangent<D>{}, 0.0, both);
-      history = both.slip;
-      report(grains.id[a], grains.id[b], law, pair, force, history, pair.lever * first.radius);
+      ContactHistory<Tangent<D>> history;
+      history.slip = turned(swap ? swapped(pairs_.history[k]) : pairs_.history[k], pair.normal);
+      if constexpr (Full) history.roll = turned(swap ? -pairs_.roll[k] : pairs_.roll[k], pair.normal);
+      const auto force = contact_force(law, pair.touch, pair.slip_velocity, pair.roll_velocity, back, history);
+      use(grains.id[a], grains.id[b], law, pair, force, history, pair.lever * first.radius);
     }
   }
-  for (std::size_t p = 0; p < settings_.planes.size(); ++p) {
-    for (std::size_t i = 0; i < pairs_.rows(); ++i) {
-      if (grains.line[i].fixed()) continue;
-      const auto& law = laws_.of(grains.material[i], grains.material[i]);
+  if (!wall_list_.any()) return;
+  const auto now = walls_now();
+  for (std::size_t i = 0; i < pairs_.rows(); ++i) {
+    for (auto k = wall_list_.row_start[i]; k < wall_list_.row_start[i + 1]; ++k) {
+      const auto& contact = wall_list_.pairs[k];
+      const auto& wall = settings_.walls[contact.wall];
+      const auto& law = laws_.of(grains.material[i], wall.material);
+      auto place = now[contact.wall];
+      place.point -= place.velocity * back;
+      const auto grain = at(i);
       soft::PairGeometry<D> pair;
-      if (!soft::plane_geometry(law, grains.line[i], settings_.planes[p], pair)) continue;
-      Tangent<D> history = plane_history_[p][i];
-      const auto force = soft::plane_contact(law, settings_.planes[p], pair, 0.0, history);
-      report(grains.id[i], plane_partner(static_cast<std::int64_t>(p)), law, pair, force, history,
-             grains.line[i].radius);
+      if (!soft::wall_geometry(law, grain, wall, place, settings_.box, pair)) continue;
+      ContactHistory<Tangent<D>> history{turned(contact.slip, pair.normal), turned(contact.roll, pair.normal)};
+      const auto force = soft::wall_contact(law, wall, pair, back, history);
+      use(grains.id[i], plane_partner(contact.wall), law, pair, force, history, grain.radius);
     }
   }
+}
+
+template <int D, class Law, bool Full>
+Contacts<D> Soft<D, Law, Full>::contacts(const Grains<D>& grains) const {
+  Contacts<D> contacts;
+  for_every_contact(
+      grains, 0.0,
+      [&](std::int64_t first, std::int64_t second, const Law& law, const soft::PairGeometry<D>& pair,
+          const ContactForce<Tangent<D>>& force, const ContactHistory<Tangent<D>>& history, double lever) {
+        const double limit = coulomb_limit(law.tangential, force.normal);
+        contacts.list.push_back({first, second, pair.normal, pair.touch.overlap,
+                                 pair.touch.overlap / pair.touch.diameter, force.normal.total - force.attraction,
+                                 force.tangential, history.slip, lever,
+                                 limit > 0.0 && magnitude(force.tangential) >= limit * (1.0 - 1e-9)});
+      });
   contacts.sort();
   return contacts;
 }
 
-/// The soft method for two laws chosen at run time (one material).
+template <int D, class Law, bool Full>
+void Soft<D, Law, Full>::add_elastic(Energy& account, const Grains<D>& grains) const {
+  if constexpr (Full) {
+    for_every_contact(grains, behind(),
+                      [&](std::int64_t, std::int64_t second, const Law& law, const soft::PairGeometry<D>& pair,
+                          const ContactForce<Tangent<D>>& force, const ContactHistory<Tangent<D>>& history, double) {
+                        const double springs = stored_energy(law.tangential, pair.touch, force.normal, history.slip) +
+                                               stored_energy(law.rolling, pair.touch, force.normal, history.roll);
+                        account.elastic += elastic_energy(law, pair.touch) + springs;
+                        (second < 0 ? account.walls : account.friction) -= springs;
+                      });
+  }
+}
+
+/// Kicks belong to half steps: there the kinetic energy is known, and what has been dissipated. So the energies of
+/// position are taken there too: places half a step back, displacements of histories half a step on.
+template <int D, class Law, bool Full>
+Energy Soft<D, Law, Full>::energy(const Grains<D>& grains) const {
+  Energy account = energy_;
+  if constexpr (Full) {
+    for (const auto k : by_id(grains)) {
+      if (grains.line[k].fixed()) continue;
+      soft::add_own(account, grains, k, settings_, behind());
+      if (!work_.empty()) soft::add(account, work_[k]);
+    }
+    for (const auto work : load_work_) account.loads_work += work;
+    for (const auto& wall : walls_) {
+      account.walls_work += wall.work;
+      account.walls += wall.dissipated;
+    }
+    add_elastic(account, grains);
+  }
+  return account;
+}
+
+/// The soft method for laws chosen at run time.
 template <int D>
-std::unique_ptr<Method<D>> make_soft(const NormalLaw& normal, const TangentialLaw& tangential,
-                                     const SoftSettings<D>& settings);
+std::unique_ptr<Method<D>> make_soft(const MaterialLaws& laws, const SoftSettings<D>& settings);
 
 }  // namespace repose

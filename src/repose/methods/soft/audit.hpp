@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/core/energy.hpp"
+#include "repose/core/grains.hpp"
+#include "repose/laws/any_law.hpp"
+#include "repose/methods/soft/settings.hpp"
+
+#include <cstddef>
+
+/// The account of the energy. Force times the mean velocity over a kick is the exact change of kinetic energy, so what
+/// dashpots and friction do is summed kick by kick, for each grain apart: the sums do not depend on the threads.
+namespace repose::soft {
+
+/// Work that dissipative forces have done on a grain [M L^2/T^2], counted positive.
+struct GrainWork {
+  double damping = 0.0;
+  double friction = 0.0;
+  double walls = 0.0;
+};
+
+inline void add(Energy& account, const GrainWork& work) {
+  account.damping += work.damping;
+  account.friction += work.friction;
+  account.walls += work.walls;
+}
+
+/// Adds the kinetic and gravitational energy of a grain at the time of its velocity, `back` [T] ago.
+template <int D>
+void add_own(Energy& account, const Grains<D>& grains, std::size_t i, const SoftSettings<D>& settings, double back) {
+  auto grain = grains.line[i];
+  if (settings.synchronised) {
+    grain.velocity = grains.half_step[i].velocity;
+    grain.rim_velocity = grains.half_step[i].rim_velocity;
+  }
+  grain.position -= grain.velocity * back;
+  account.kinetic += kinetic_energy(grain);
+  account.gravitational -= grain.mass * dot(settings.gravity, grain.position);
+}
+
+/// Both, as one number; 0 for a fixed grain.
+template <int D>
+double own_energy(const Grains<D>& grains, std::size_t i, const SoftSettings<D>& settings, double back) {
+  if (grains.line[i].fixed()) return 0.0;
+  Energy own;
+  add_own(own, grains, i, settings, back);
+  return own.kinetic + own.gravitational;
+}
+
+}  // namespace repose::soft
