@@ -145,6 +145,10 @@ class Soft final : public Method<D> {
     for (auto& share : shares_) {
       share.walls = walls_;
       share.walls_now = now;
+      for (auto i = static_cast<std::uint32_t>(share.rows.begin); i < share.rows.end; ++i) {
+        if (is_special(grains, i)) share.special.push_back(i);
+      }
+      share.special.push_back(std::numeric_limits<std::uint32_t>::max());
     }
     if (settings_.audit && step_ == 0) {
       Energy start;
@@ -178,6 +182,13 @@ class Soft final : public Method<D> {
       loaded_.push_back({static_cast<std::uint32_t>(found - grains.id.begin()), load, loads_[load].force});
     }
     std::stable_sort(loaded_.begin(), loaded_.end(), [](const auto& a, const auto& b) { return a.i < b.i; });
+  }
+
+  /// Whether the sweep must do more for a grain than move it.
+  bool is_special(const Grains<D>& grains, std::uint32_t i) const {
+    const bool near_wall = wall_list_.any() && wall_list_.row_start[i] != wall_list_.row_start[i + 1];
+    const bool loaded = std::any_of(loaded_.begin(), loaded_.end(), [&](const auto& grain) { return grain.i == i; });
+    return grains.line[i].fixed() || near_wall || loaded;
   }
 
   soft::SweepInput<D, Law> input(long step) {

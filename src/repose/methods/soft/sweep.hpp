@@ -48,37 +48,73 @@ void push_edges(const SweepInput<D, Law>& in, const Grains<D>& grains, Share<D, 
   }
 }
 
-/// Moves one grain by leapfrog under its total push. Source: Baxter et al. (1997), (9)-(12). Returns the mean
-/// velocities over the kick.
+/// Change of velocity and rim velocity by a total push.
+template <int D, bool Full, class Law>
+REPOSE_FN HalfStep<D> kick_of(const SweepInput<D, Law>& in, const Grain<D>& grain, const Slot<D, Full>& sum) {
+  const double per_mass = in.kick * grain.inverse_mass;
+  return {(sum.force + in.settings.gravity * grain.mass) * per_mass,
+          sum.rim_torque * (per_mass * inverse_inertia_factor<D>)};
+}
+
+/// Moves one grain by leapfrog under its total push. Source: Baxter et al. (1997), (9)-(12).
 template <bool Synchronised, bool Full, int D, class Law>
-REPOSE_FN HalfStep<D> kick_and_drift(const SweepInput<D, Law>& in, Grains<D>& grains, std::size_t i,
-                                     const Slot<D, Full>& sum) {
+REPOSE_FN void kick_and_drift(const SweepInput<D, Law>& in, Grains<D>& grains, std::size_t i,
+                              const Slot<D, Full>& sum) {
   auto& grain = grains.line[i];
   const double dt = in.settings.time_step;
-  const double per_mass = in.kick * grain.inverse_mass;
-  const Vec<D> kick = (sum.force + in.settings.gravity * grain.mass) * per_mass;
-  const Spin<D> rim_kick = sum.rim_torque * (per_mass * inverse_inertia_factor<D>);
+  const auto kick = kick_of(in, grain, sum);
   if constexpr (Synchronised) {
     auto& half = grains.half_step[i];
-    half.velocity += kick;
-    half.rim_velocity += rim_kick;
+    half.velocity += kick.velocity;
+    half.rim_velocity += kick.rim_velocity;
     grain.position += half.velocity * dt;
-    grain.velocity = half.velocity + kick * 0.5;
-    grain.rim_velocity = half.rim_velocity + rim_kick * 0.5;
-    return {half.velocity - kick * 0.5, half.rim_velocity - rim_kick * 0.5};
+    grain.velocity = half.velocity + kick.velocity * 0.5;
+    grain.rim_velocity = half.rim_velocity + kick.rim_velocity * 0.5;
   } else {
-    grain.velocity += kick;
-    grain.rim_velocity += rim_kick;
+    grain.velocity += kick.velocity;
+    grain.rim_velocity += kick.rim_velocity;
     grain.position += grain.velocity * dt;
-    return {grain.velocity - kick * 0.5, grain.rim_velocity - rim_kick * 0.5};
   }
 }
 
-/// Forces of the walls on grain i, kept with each pair, and added to its sum; in a full kernel, what of them dissipates
-/// goes to `dissipative` instead of the sum's own parts.
+/// Mean velocities of a grain over the kick that it has just had: times the force, the exact change of its kinetic
+/// energy.
+template <bool Synchronised, bool Full, int D, class Law>
+HalfStep<D> mean_over_kick(const SweepInput<D, Law>& in, const Grains<D>& grains, std::size_t i,
+                           const Slot<D, Full>& sum) {
+  const auto& grain = grains.line[i];
+  const auto kick = kick_of(in, grain, sum);
+  if constexpr (Synchronised) {
+    const auto& half = grains.half_step[i];
+    return {half.velocity - kick.velocity * 0.5, half.rim_velocity - kick.rim_velocity * 0.5};
+  } else {
+    return {grain.velocity - kick.velocity * 0.5, grain.rim_velocity - kick.rim_velocity * 0.5};
+  }
+}
+
+/// What the walls do to a grain.
+template <int D, bool Full>
+struct WallPush {
+  Push<D, Full> all;
+  Vec<D> dissipative{};  ///< part of the force, by dashpot and friction; in a full kernel
+};
+
+/// Books what dissipative forces have done to grain i, which went at `mean` velocity meanwhile.
+template <int D>
+void book(GrainWork& work, const Slot<D, true>& sum, const WallPush<D, true>& at_walls, const HalfStep<D>& mean,
+          double kick) {
+  const auto power = [&](const Vec<D>& force) { return dot(force, mean.velocity); };
+  const auto turning = [&](const Spin<D>& rim_torque) { return inner(rim_torque, mean.rim_velocity); };
+  work.damping -= power(sum.damping) * kick;
+  work.friction -= (power(sum.friction) + turning(sum.rim_torque) - turning(at_walls.all.rim_torque)) * kick;
+  work.walls -= (power(at_walls.dissipative) + turning(at_walls.all.rim_torque)) * kick;
+}
+
+/// Forces of the walls on grain i, kept with each pair.
 template <bool Full, int D, class Law>
-void push_walls(const SweepInput<D, Law>& in, const Grains<D>& grains, std::size_t i, const Share<D, Full>& mine,
-                Slot<D, Full>& sum, Push<D, Full>& dissipative) {
+WallPush<D, Full> push_of_walls(const SweepInput<D, Law>& in, const Grains<D>& grains, std::size_t i,
+                                const Share<D, Full>& mine) {
+  WallPush<D, Full> sum;
   const auto& grain = grains.line[i];
   const double dt = in.settings.time_step;
   for (auto k = in.walls.row_start[i]; k < in.walls.row_start[i + 1]; ++k) {
@@ -101,14 +137,49 @@ void push_walls(const SweepInput<D, Law>& in, const Grains<D>& grains, std::size
     set_push(pair, force, grain.radius, grain.radius, push);
     contact.force = push.force;
     contact.impulse += push.force * dt;
-    sum.force += push.force;
-    sum.rim_torque += push.rim_torque;
+    sum.all.force += push.force;
+    sum.all.rim_torque += push.rim_torque;
     if constexpr (Full) {
       contact.dissipative = push.damping + push.friction;
-      dissipative.force += contact.dissipative;
-      dissipative.rim_torque += push.rim_torque;
+      sum.dissipative += contact.dissipative;
     }
   }
+  return sum;
+}
+
+/// Moves a grain and books what has been done to it.
+template <bool Synchronised, bool Full, int D, class Law>
+REPOSE_FN void finish_row(const SweepInput<D, Law>& in, Grains<D>& grains, std::size_t i, const Slot<D, Full>& sum,
+                          const WallPush<D, Full>& at_walls) {
+  kick_and_drift<Synchronised>(in, grains, i, sum);
+  if constexpr (Full) {
+    if (!in.work.empty()) book(in.work[i], sum, at_walls, mean_over_kick<Synchronised>(in, grains, i, sum), in.kick);
+  }
+}
+
+/// The end of a row that is not like most: its grain is fixed, near a wall or loaded. Apart, so that the loop over all
+/// rows stays small.
+template <bool Synchronised, bool Full, int D, class Law>
+[[gnu::noinline]] void finish_special_row(const SweepInput<D, Law>& in, Grains<D>& grains, std::size_t i,
+                                          const Share<D, Full>& mine, Slot<D, Full> sum) {
+  if (grains.line[i].fixed()) {
+    grains.reaction[i] += sum.force * in.settings.time_step;
+    return;
+  }
+  WallPush<D, Full> at_walls;
+  if (in.walls.any()) {
+    at_walls = push_of_walls(in, grains, i, mine);
+    sum.force += at_walls.all.force;
+    sum.rim_torque += at_walls.all.rim_torque;
+  }
+  auto load = std::lower_bound(in.loaded.begin(), in.loaded.end(), i,
+                               [](const LoadedGrain<D>& grain, std::size_t row) { return grain.i < row; });
+  const auto first_load = load;
+  for (; load != in.loaded.end() && load->i == i; ++load) sum.force += load->force;
+  finish_row<Synchronised>(in, grains, i, sum, at_walls);
+  if (first_load == load) return;
+  const auto velocity = mean_over_kick<Synchronised>(in, grains, i, sum).velocity;
+  for (auto done = first_load; done != load; ++done) in.load_work[done->load] += dot(done->force, velocity) * in.kick;
 }
 
 /// Moves the walls under the push of the grains in this step. Every member does it for itself, after all have swept.
@@ -145,12 +216,10 @@ void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Sha
   const std::uint32_t* const row_start = in.pairs.row_start.data();
   const std::uint32_t* const partner = in.pairs.partner.data();
   Tangent<D>* const history = in.pairs.history.data();
-  Tangent<D>* const roll = in.pairs.roll.data();
+  [[maybe_unused]] Tangent<D>* const roll = in.pairs.roll.data();
   Grain<D>* const line = grains.line.data();
   Slot<D, Full>* const ring = mine.ring.data();
   const std::size_t mask = mine.ring.size() - 1;
-  const bool walls = in.walls.any();
-  const bool audit = !in.work.empty();
 
   auto arrival = mine.arrivals.begin();
   const auto receive_up_to = [&](std::size_t last) {
@@ -160,12 +229,10 @@ void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Sha
   };
   if (mine.rows.begin < mine.rows.end) receive_up_to(mine.rows.begin + mask);
 
-  auto loaded = std::lower_bound(in.loaded.begin(), in.loaded.end(), mine.rows.begin,
-                                 [](const LoadedGrain<D>& grain, std::size_t row) { return grain.i < row; });
+  const std::uint32_t* special = mine.special.data();
   double fastest2 = 0.0;
   bool trouble = false;
   std::size_t edge = 0;
-  Tangent<D> no_roll{};
   for (std::size_t row = mine.rows.begin; row < mine.rows.end; ++row) {
     const auto i = static_cast<std::uint32_t>(row);
     Slot<D, Full> sum = ring[i & mask];
@@ -178,40 +245,24 @@ void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Sha
       const auto j = partner[k];
       Push<D, Full> push;
       const Law& pair_law = OneMaterial ? law : in.laws.of(grains.material[i], grains.material[j]);
-      if (!pair_force<Periodic>(pair_law, grain, line[j], box, dt, history[k], Full ? roll[k] : no_roll, push)) {
-        continue;
+      if constexpr (Full) {
+        if (!pair_force<Periodic>(pair_law, grain, line[j], box, dt, history[k], roll[k], push)) continue;
+      } else {
+        if (!pair_force<Periodic>(pair_law, grain, line[j], box, dt, history[k], push)) continue;
       }
       sum.add(push);
       ring[j & mask].add_back(push);
     }
     for (; k < row_stop; ++k, ++edge) sum.add(mine.edge_push[edge]);
-    Push<D, Full> at_walls;
-    if (walls && in.walls.row_start[i] != in.walls.row_start[i + 1]) {
-      push_walls(in, grains, i, mine, sum, at_walls);
-    }
-    if (grain.fixed()) [[unlikely]] {
-      grains.reaction[i] += sum.force * dt;
+    if (i == *special) [[unlikely]] {
+      ++special;
+      finish_special_row<Synchronised>(in, grains, i, mine, sum);
     } else {
-      const auto first_load = loaded;
-      for (; loaded != in.loaded.end() && loaded->i == i; ++loaded) sum.force += loaded->force;
-      const auto mean = kick_and_drift<Synchronised>(in, grains, i, sum);
-      const double speed2 = dot(line[i].velocity, line[i].velocity);
-      trouble |= !(speed2 < in.speed_limit2);  // also true for what is not a number
-      fastest2 = std::max(fastest2, speed2);
-      for (auto load = first_load; load != loaded; ++load) {
-        in.load_work[load->load] += dot(load->force, mean.velocity) * in.kick;
-      }
-      if constexpr (Full) {
-        if (audit) {
-          auto& work = in.work[i];
-          const auto power = [&](const Vec<D>& force) { return dot(force, mean.velocity); };
-          const auto turning = [&](const Spin<D>& rim_torque) { return inner(rim_torque, mean.rim_velocity); };
-          work.damping -= power(sum.damping) * in.kick;
-          work.friction -= (power(sum.friction) + turning(sum.rim_torque) - turning(at_walls.rim_torque)) * in.kick;
-          work.walls -= (power(at_walls.force) + turning(at_walls.rim_torque)) * in.kick;
-        }
-      }
+      finish_row<Synchronised>(in, grains, i, sum, WallPush<D, Full>{});
     }
+    const double speed2 = dot(line[i].velocity, line[i].velocity);
+    trouble |= !(speed2 < in.speed_limit2);  // also true for what is not a number
+    fastest2 = std::max(fastest2, speed2);
     receive_up_to(row + 1 + mask);
   }
   mine.fastest2 = fastest2;
