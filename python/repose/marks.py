@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Discs, cells, planes and lines between centres, as few large paths: small vector files, exact sizes."""
+"""Discs, cells, walls and lines between centres, as few large paths: small vector files, exact sizes."""
 
 import numpy as np
 from matplotlib.collections import PathCollection, PolyCollection
@@ -72,27 +72,44 @@ def add_cells(field, run, cells, **look):
     return collection
 
 
-def add_planes(field, run):
-    """The trace of every plane."""
-    if run.planes is None:
+def add_walls(field, run, state):
+    """The trace of every wall that is there at the time of the state, where it is then."""
+    if run.walls is None:
         return
-    for point, normal in zip(run.planes["point"], run.planes["normal"]):
-        along = point + np.array([-normal[1], normal[0]])
-        field.axes.axline(point, along, color=style.HELD, linewidth=1.2, zorder=0.5)
+    for wall, point in enumerate(wall_points(run, state)):
+        if state.time >= run.walls["opens_at"][wall]:
+            continue
+        normal, half_length = run.walls["normal"][wall], run.walls["half_length"][wall]
+        along = np.array([-normal[1], normal[0]])
+        if np.isfinite(half_length):
+            ends = np.stack([point - half_length * along, point + half_length * along])
+            field.axes.plot(*ends.T, color=style.HELD, linewidth=1.2, zorder=0.5, scalex=False, scaley=False)
+        else:
+            field.axes.axline(point, point + along, color=style.HELD, linewidth=1.2, zorder=0.5)
+
+
+def wall_points(run, state):
+    """A point of each wall (W, 2) [L] at the time of the state: displaced as the time series says."""
+    points = np.array(run.walls["point"], dtype=float)
+    moved = run.series.get("wall_displacement")
+    if moved is None or not len(moved):
+        return points
+    row = np.searchsorted(run.series["time"], state.time * (1.0 + 1e-12), side="right") - 1
+    return points if row < 0 else points + moved[row][:, None] * run.walls["direction"]
 
 
 def centre_lines(run, state):
     """Lines (K, 2, 2) [L] from the first partner of a contact to the second, and the contact of each (K).
 
-    To a plane the line ends on the plane. Across a periodic side it is drawn from both partners, beyond the side.
+    To a wall the line ends on the wall. Across a periodic side it is drawn from both partners, beyond the side.
     """
     grains, contacts = state.grains, state.contacts
     centre = wrapped(run, grains.position)
     first = state.rows(contacts.grains[:, 0])
-    with_plane = contacts.grains[:, 1] < 0
+    with_wall = contacts.grains[:, 1] < 0
     start = centre[first]
     end = start - contacts.normal * grains.radius[first, None]
-    end[~with_plane] = centre[state.rows(contacts.grains[~with_plane, 1])]
+    end[~with_wall] = centre[state.rows(contacts.grains[~with_wall, 1])]
     lines, contact = np.stack([start, end], axis=1), np.arange(len(contacts))
     if not run.attributes["periodic"]:
         return lines, contact

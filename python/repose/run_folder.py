@@ -11,7 +11,7 @@ import numpy as np
 from repose.analysis import Analysis
 from repose.hdf5 import RunFolderError, Table, attributes_of, check_format, one_line, opened
 
-FORMAT_VERSION = 2
+FORMAT_VERSION = 3
 NEEDED = set("title units dimension time status grain_diameter grain_weight periodic x_min x_max".split())
 
 
@@ -42,7 +42,7 @@ class Grains:
 class Contacts:
     """Pairs within the reach of the normal law: M contacts in D dimensions; forces act on the first grain."""
 
-    grains: np.ndarray  # (M, 2) int64 ids; second = -1 - k means plane k
+    grains: np.ndarray  # (M, 2) int64 ids; second = -1 - k means wall k
     normal: np.ndarray  # (M, D) unit vector from the second to the first
     overlap: np.ndarray  # (M) [L], negative in the tail of the continuous law
     normal_force: np.ndarray  # (M) [M L/T^2], positive pushes apart
@@ -81,7 +81,8 @@ class RunFolder:
     state: State  # last state
     series: Table  # columns of /series, one row per observation; empty without
     base: "Table | None"  # forces on the base in grain weights; None without a row of base grains
-    planes: "Table | None"  # point (P, D) [L] and outward normal (P, D)
+    walls: "Table | None"  # name, point (W, D) [L] at the start, normal and direction of motion (W, D), half_length [L]
+    energy: "Table | None"  # columns of /energy [M L^2/T^2]; None unless the scene asks for the account
     analysis: "Analysis | None"  # Tables of analysis.h5; None without an analysis of the last state
     frames: "list[str]"  # names of the saved frames
     summary: dict  # summary.json; empty without
@@ -95,7 +96,9 @@ class RunFolder:
             check_format(self.path / "run.h5", self.attributes, "run", FORMAT_VERSION, NEEDED)
             self.state = _read_state(file)
             self.series = Table(file["series"]) if "series" in file else {}
-            self.base, self.planes = (Table(file[name]) if name in file else None for name in ("base", "planes"))
+            self.base, self.walls, self.energy = (
+                Table(file[name]) if name in file else None for name in ("base", "walls", "energy")
+            )
             self.frames = sorted(file["frames"]) if "frames" in file else []
         self.analysis = _read_analysis(self.path / "analysis.h5", self.state)
         self.summary = _read_summary(self.path / "summary.json")

@@ -92,7 +92,7 @@ def write_run(
     }
     half = (period or 100.0) / 2.0 * diameter
     header = {
-        "format": "repose-run", "format_version": 2, "title": "A synthetic <heap>", "method": "soft",
+        "format": "repose-run", "format_version": 3, "title": "A synthetic <heap>", "method": "soft",
         "units": "reduced", "dimension": 2, "seed": 1, "time": 120.0, "steps": 120000, "time_step": 1e-3,
         "status": "finished", "message": "at rest", "repose_version": "0.1.0", "gravity": [0.0, -1.0],
         "grain_diameter": diameter, "grain_weight": 1.0, "periodic": int(period is not None),
@@ -110,7 +110,11 @@ def write_run(
         write_series(file.create_group("series"), rows, len(moving))
         file["frames/000000"] = h5py.ExternalLink("frames/000000.h5", "/")
         if plane:
-            write_group(file.create_group("planes"), {"point": np.zeros((1, 2)), "normal": np.array([[0.0, 1.0]])})
+            walls = {"point": np.zeros((1, 2)), "normal": np.array([[0.0, 1.0]]), "half_length": np.array([np.inf])}
+            walls |= {"name": np.array([b"floor"]), "direction": np.zeros((1, 2)), "opens_at": np.array([np.inf])}
+            write_group(file.create_group("walls"), walls)
+            write_wall_series(file["series"], rows)
+            write_energy(file.create_group("energy"), rows)
         if len(base):
             write_base(file.create_group("base"), centre[fixed, 0] * diameter, ids[fixed], len(moving))
     write_analysis(folder, grains, contacts, diameter, surface, track)
@@ -131,6 +135,18 @@ def write_series(group, rows, grains):
         "max_overlap": np.full(rows, 0.01),
     }
     write_group(group, columns)
+
+
+def write_wall_series(group, rows):
+    """A wall that stands under a push of 3 grain weights."""
+    push = {"wall_force_x": np.zeros((rows, 1)), "wall_force_y": np.full((rows, 1), -3.0)}
+    write_group(group, {**push, "wall_displacement": np.zeros((rows, 1))})
+
+
+def write_energy(group, rows):
+    names = "kinetic gravitational elastic sources lost walls_work loads_work damping friction walls error".split()
+    columns = {name: np.linspace(0.0, k, rows) for k, name in enumerate(names)}
+    write_group(group, {"time": np.arange(rows, dtype=float), **columns})
 
 
 def write_base(group, x, ids, moving):

@@ -14,6 +14,7 @@ from synthetic_analysis import BIN
 
 import repose
 from repose import style
+from repose.marks import wall_points
 from repose.pictures import PICTURES
 from repose.pictures.stress import KEY, LONGEST, principal
 
@@ -215,3 +216,42 @@ def test_keys_stay_within_the_figure(tmp_path, name, moving):
     for part in [*figure.legends, *figure.texts, *figure.axes]:
         box = part.get_tightbbox() if part in figure.axes else part.get_window_extent()
         assert box.x0 >= 0.0 and box.x1 <= figure.bbox.x1 and box.y0 >= 0.0 and box.y1 <= figure.bbox.y1
+
+
+def test_walls_show_what_presses_on_them(tmp_path):
+    folder = write_run(tmp_path / "run", moving=pyramid(8) - [0.0, np.sqrt(3.0) / 2.0 - 0.5], plane=True)
+    run, figure = drawn(folder, "walls")
+    (axes,) = figure.axes
+    (line,) = axes.get_lines()
+    np.testing.assert_allclose(line.get_xdata(), run.series["time"])
+    np.testing.assert_allclose(line.get_ydata(), 3.0)  # pushed down along minus its normal
+    assert legend_of(axes) == ["floor"]
+
+
+def test_moved_wall_is_drawn_where_it_is(tmp_path):
+    folder = write_run(tmp_path / "run", moving=pyramid(8), plane=True)
+    with h5py.File(folder / "run.h5", "a") as file:
+        file["walls/direction"][0] = [0.0, -1.0]
+        file["series/wall_displacement"][:, 0] = np.linspace(0.0, 2.0, len(file["series/time"]))
+        file.attrs["time"] = file["series/time"][-1]
+    run, figure = drawn(folder, "heap")
+    traces = [line for line in figure.axes[0].get_lines() if to_hex(line.get_color()) == style.HELD]
+    assert len(traces) == 1
+    assert wall_points(run, run.state).tolist() == [[0.0, -2.0]]
+    run, figure = drawn(folder, "walls")
+    force, way = figure.axes
+    np.testing.assert_allclose(force.get_lines()[0].get_ydata(), -3.0)  # helped along its way
+    np.testing.assert_allclose(way.get_lines()[0].get_ydata(), run.series["wall_displacement"][:, 0])
+
+
+def test_budget_shows_every_entry(tmp_path):
+    folder = write_run(tmp_path / "run", moving=pyramid(8), plane=True)
+    run, figure = drawn(folder, "budget")
+    top, bottom = figure.axes
+    put_in = run.energy["sources"] + run.energy["walls_work"] + run.energy["loads_work"]
+    assert legend_of(top)[0] == "put in"
+    by_label = {line.get_label(): line.get_ydata() for line in top.get_lines()}
+    np.testing.assert_allclose(by_label["put in"], put_in / put_in.max())
+    for label, name in (("damping", "damping"), ("at walls", "walls"), ("elastic", "elastic"), ("lost", "lost")):
+        np.testing.assert_allclose(by_label[label], run.energy[name] / put_in.max())
+    np.testing.assert_allclose(bottom.get_lines()[0].get_ydata(), run.energy["error"] / put_in.max())

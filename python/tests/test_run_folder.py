@@ -28,7 +28,7 @@ def test_reads_what_was_written(folder):
     assert list(run.series["time"][:2]) == [0.0, 1.0]
     assert run.base.attributes["window_end"] == 120.0
     assert run.surface.attributes["bin_width"] == 1.0
-    assert run.planes is None
+    assert run.walls is None
     assert run.summary["base_dip"]["index"] == 1.04
 
 
@@ -119,7 +119,7 @@ DAMAGES = {
     cut_short: "cannot be read",
     remove_radius: "radius",
     change_format: "not a run of Repose",
-    change_version: "format_version 1; this reads 2",
+    change_version: "format_version 1; this reads 3",
     remove_units: "no attribute units",
     remove_format: "not a run of Repose",
     break_summary: "summary.json: cannot be read",

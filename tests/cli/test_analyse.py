@@ -202,7 +202,7 @@ def test_a_lattice_pile_keeps_its_core_and_sheds_its_flanks(lab):
     (lambda out: (out / "scene.toml").write_text("seed = 'x'"), ["out/scene.toml:1: seed"]),
     (lambda out: drop(out, "contacts/lever"), ["out/run.h5: contacts/lever: no such dataset"]),
     (lambda out: shorten(out, "grains/radius"), ["out/run.h5: grains: the datasets differ in length"]),
-    (lambda out: rename(out, "contacts/grains"), ["names a grain or plane that is not there"]),
+    (lambda out: rename(out, "contacts/grains"), ["names a grain or wall that is not there"]),
 ])
 def test_damaged_runs_are_refused(lab, tracked, damage, parts):
     shutil.copytree(tracked, lab.path / "out")

@@ -71,7 +71,7 @@ def test_ordinary_plane_height_and_contact(lab):
     assert abs(Grains(out / "run.h5").position[0, 1] - 0.5) < 1e-9
     found = datasets(out / "run.h5")
     assert found["/contacts/grains"].tolist() == [[0, -1]]
-    assert found["/contacts/normal"].tolist() == [[0.0, 1.0]] and found["/planes/normal"].tolist() == [[0.0, 1.0]]
+    assert found["/contacts/normal"].tolist() == [[0.0, 1.0]] and found["/walls/normal"].tolist() == [[0.0, 1.0]]
     assert abs(summary(out)["weight_error"]) < 1e-6
 
 
@@ -84,7 +84,7 @@ def test_wedge_of_two_planes(lab):
     found = datasets(out / "run.h5")
     assert np.allclose(found["/contacts/normal_force"], math.sqrt(0.5), atol=1e-6)
     assert found["/contacts/grains"].tolist() in ([[0, -2], [0, -1]], [[0, -1], [0, -2]])
-    assert np.allclose(np.hypot(*found["/planes/normal"].T), 1.0)
+    assert np.allclose(np.hypot(*found["/walls/normal"].T), 1.0)
 
 
 FREE = "gravity = 0\ncontact = { normal = { law = 'hooke', stiffness = 500 } }\n"

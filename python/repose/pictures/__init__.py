@@ -2,7 +2,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The standard pictures: each is a function of a RunFolder and a State that returns a figure or raises NotDrawn."""
 
-from repose.pictures import avalanches, base, chains, density, energy, force_distribution, forces, heap, stress, voronoi
+from repose.pictures import (
+    avalanches,
+    base,
+    budget,
+    chains,
+    density,
+    energy,
+    force_distribution,
+    forces,
+    heap,
+    stress,
+    voronoi,
+    walls,
+)
 
 PICTURES = {
     "heap": heap.draw,
@@ -15,4 +28,6 @@ PICTURES = {
     "base": base.draw,
     "avalanches": avalanches.draw,
     "energy": energy.draw,
+    "budget": budget.draw,
+    "walls": walls.draw,
 }

@@ -7,7 +7,7 @@ from matplotlib.lines import Line2D
 
 from repose import style
 from repose.field import BOTTOM, LEFT, LEGEND_ROW, RIGHT, legend_above, make_fields
-from repose.marks import add_discs, add_lines, add_planes, centre_lines
+from repose.marks import add_discs, add_lines, add_walls, centre_lines
 from repose.not_drawn import NotDrawn
 from repose.pictures.needed import analysed
 
@@ -29,7 +29,7 @@ def draw(run, state):
     below = HISTOGRAM + BOTTOM
     field = make_fields(run, state, [LEGEND_ROW], below)[0]
     held = state.grains.held
-    add_planes(field, run)
+    add_walls(field, run, state)
     add_discs(field, run, state, ~held, facecolor="#eff1f4", edgecolor="#d3d8df", linewidth=0.25)
     add_discs(field, run, state, held, facecolor=style.FAINT, edgecolor="white", linewidth=0.25)
     room = int((field.figure.get_figwidth() - REST_OF_LEGEND) / KEY_WIDTH)

@@ -7,7 +7,7 @@ from matplotlib.lines import Line2D
 
 from repose import style
 from repose.field import legend_above, make_field
-from repose.marks import add_discs, add_lines, add_planes, centre_lines
+from repose.marks import add_discs, add_lines, add_walls, centre_lines
 from repose.not_drawn import NotDrawn
 
 WIDEST_PERCENTILE = 99.5  # forces above it share the largest width
@@ -26,7 +26,7 @@ def draw(run, state):
     lines, contact = centre_lines(run, state)
     field = make_field(run, state, with_legend=True)
     held = state.grains.held
-    add_planes(field, run)
+    add_walls(field, run, state)
     add_discs(field, run, state, ~held, facecolor="#eff1f4", edgecolor="#d3d8df", linewidth=0.25)
     add_discs(field, run, state, held, facecolor=style.FAINT, edgecolor="white", linewidth=0.25)
 

@@ -7,7 +7,7 @@ from matplotlib.lines import Line2D
 
 from repose import style
 from repose.field import legend_above, make_field
-from repose.marks import add_discs, add_planes
+from repose.marks import add_discs, add_walls
 
 FLANKS = (("left", 1.0, style.ORANGE), ("right", -1.0, style.PURPLE))  # name, sign of a slope that falls outwards
 
@@ -18,7 +18,7 @@ def draw(run, state):
     field = make_field(run, state, with_legend=bool(flanks))
     edge = min(0.5, 0.06 * run.attributes["grain_diameter"] * field.points_per_length)
     held = state.grains.held
-    add_planes(field, run)
+    add_walls(field, run, state)
     add_discs(field, run, state, ~held, facecolor=style.GRAIN, edgecolor=style.GRAIN_EDGE, linewidth=edge)
     add_discs(field, run, state, held, facecolor=style.HELD, edgecolor="white", linewidth=0.5 * edge)
     for line, extension in flanks:

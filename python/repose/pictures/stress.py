@@ -10,7 +10,7 @@ from matplotlib.lines import Line2D
 
 from repose import style
 from repose.field import BAR_ROW, LEGEND_ROW, bar_above, legend_above, make_fields
-from repose.marks import add_discs, add_planes
+from repose.marks import add_discs, add_walls
 from repose.not_drawn import NotDrawn
 from repose.pictures.needed import analysed
 
@@ -39,7 +39,7 @@ def draw(run, state):
     width = min(0.9, 0.06 * pitch * field.points_per_length)
     field.axes.add_collection(LineCollection(bars, colors=style.INK, linewidths=width), autolim=False)
     for each in (packing_field, field):
-        add_planes(each, run)
+        add_walls(each, run, state)
         look = dict(facecolor=style.HELD, edgecolor="white", linewidth=0.25, zorder=2.5)
         add_discs(each, run, state, state.grains.held, **look)
     units = style.units_of(run)

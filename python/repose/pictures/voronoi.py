@@ -8,7 +8,7 @@ from matplotlib.patches import Patch
 
 from repose import style
 from repose.field import BAR_ROW, bar_above, make_fields
-from repose.marks import add_cells, add_discs, add_planes
+from repose.marks import add_cells, add_discs, add_walls
 from repose.not_drawn import NotDrawn
 from repose.pictures.needed import analysed
 
@@ -27,7 +27,7 @@ def draw(run, state):
         raise NotDrawn("no cell is closed")
     scale = _scale(solid_fraction[closed])
     field = make_fields(run, state, [BAR_ROW])[0]
-    add_planes(field, run)
+    add_walls(field, run, state)
     width = 0.05 * run.attributes["grain_diameter"] * field.points_per_length
     edge = dict(edgecolor="white", linewidth=min(0.4, width))
     add_cells(field, run, [cells[k] for k in np.flatnonzero(bounded & ~closed)], facecolor=style.FAINT, **edge)

@@ -4,6 +4,7 @@
 
 #include "repose/analysis/base_profile.hpp"
 #include "repose/core/contacts.hpp"
+#include "repose/core/energy.hpp"
 #include "repose/core/grains.hpp"
 #include "repose/core/track.hpp"
 #include "repose/scene/scene.hpp"
@@ -14,14 +15,23 @@
 
 namespace repose {
 
+/// A wall at one row of the time series.
+struct WallRow {
+  double displacement = 0.0;  ///< [L] along the direction in which it moves
+  Vec<2> force{};             ///< [M L/T^2] of the grains on it, mean since the row before
+};
+
 /// One row of the time series.
 struct SeriesRow {
   double time = 0.0;                      ///< [T]
   std::int64_t grains = 0;                ///< moving grains present
+  std::int64_t lost = 0;                  ///< grains that have left
   std::int64_t contacts = 0;              ///< above the force threshold of the analysis
   double kinetic_energy_per_grain = 0.0;  ///< [M L^2/T^2]
   double force_residual = 0.0;            ///< see analysis/force_network.hpp
   double max_overlap = 0.0;               ///< over the mean diameter of the pair
+  std::vector<WallRow> walls;
+  Energy energy;  ///< all 0 unless the scene asks for the account
 };
 
 enum class Status { running, finished, interrupted, failed };

@@ -20,7 +20,7 @@ namespace repose {
 
 namespace {
 
-constexpr std::int64_t format_version = 2;
+constexpr std::int64_t format_version = 3;
 
 void write_header(Hdf5File& file, const Scene& scene, const RunFacts& facts) {
   file.attribute("/", "format", std::string("repose-run"));
@@ -70,25 +70,92 @@ RunFacts read_facts(const Hdf5Reader& file) {
   return facts;
 }
 
-void write_planes(Hdf5File& file, const Scene& scene) {
-  const auto planes = make_walls(scene);
-  if (planes.empty()) return;
+void write_walls(Hdf5File& file, const Scene& scene) {
+  const auto walls = make_walls(scene);
+  if (walls.empty()) return;
   std::vector<double> point;
   std::vector<double> normal;
-  for (const auto& plane : planes) {
+  std::vector<double> direction;
+  std::vector<double> half_length;
+  std::vector<double> opens_at;
+  for (const auto& wall : walls) {
     for (int k = 0; k < 2; ++k) {
-      point.push_back(plane.point[k]);
-      normal.push_back(plane.normal[k]);
+      point.push_back(wall.point[k]);
+      normal.push_back(wall.normal[k]);
+      direction.push_back(wall.motion.direction[k]);
+    }
+    half_length.push_back(wall.half_length);
+    opens_at.push_back(wall.opens_at);
+  }
+  file.group("walls");
+  file.texts("walls/name", wall_names(scene), "of each wall");
+  file.dataset("walls/point", point, 2, "L", "a point of the wall at the start, the middle of a finite one");
+  file.dataset("walls/normal", normal, 2, "", "unit normal, towards the grains");
+  file.dataset("walls/direction", direction, 2, "", "unit vector along which the wall moves; 0: it does not");
+  file.dataset("walls/half_length", half_length, 1, "L", "half the length; infinite for a plane");
+  file.dataset("walls/opens_at", opens_at, 1, "T", "from then on the wall is not there; infinite: it stays");
+}
+
+void write_wall_series(Hdf5File& file, const std::vector<SeriesRow>& rows) {
+  const auto walls = rows.empty() ? 0 : rows.front().walls.size();
+  if (walls == 0) return;
+  std::vector<double> displacement;
+  std::vector<double> force_x;
+  std::vector<double> force_y;
+  for (const auto& row : rows) {
+    for (const auto& wall : row.walls) {
+      displacement.push_back(wall.displacement);
+      force_x.push_back(wall.force[0]);
+      force_y.push_back(wall.force[1]);
     }
   }
-  file.group("planes");
-  file.dataset("planes/point", point, 2, "L", "a point of the plane");
-  file.dataset("planes/normal", normal, 2, "", "unit normal, towards the grains");
+  file.dataset("series/wall_displacement", displacement, walls, "L", "of each wall along the direction of its motion");
+  file.dataset("series/wall_force_x", force_x, walls, "M L/T^2",
+               "of the grains on each wall, mean since the row before");
+  file.dataset("series/wall_force_y", force_y, walls, "M L/T^2",
+               "of the grains on each wall, mean since the row before");
+}
+
+/// Every entry of the account of the energy, by name.
+struct EnergyColumn {
+  const char* name;
+  double Energy::*entry;
+  const char* meaning;
+};
+constexpr EnergyColumn energy_columns[] = {
+    {"kinetic", &Energy::kinetic, "translation and rotation"},
+    {"gravitational", &Energy::gravitational, "0 at height 0"},
+    {"elastic", &Energy::elastic, "of all contacts, springs of friction included"},
+    {"sources", &Energy::sources, "brought by grains, at the start or later"},
+    {"lost", &Energy::lost, "taken along by grains that left"},
+    {"walls_work", &Energy::walls_work, "done by moving walls"},
+    {"loads_work", &Energy::loads_work, "done by loads"},
+    {"damping", &Energy::damping, "dissipated by dashpots between grains"},
+    {"friction", &Energy::friction, "dissipated by friction and rolling resistance between grains"},
+    {"walls", &Energy::walls, "dissipated at walls"},
+};
+
+void write_energy(Hdf5File& file, const std::vector<SeriesRow>& rows) {
+  file.group("energy");
+  std::vector<double> values;
+  const auto column = [&](const char* name, const char* unit, const char* meaning, const auto& value) {
+    values.clear();
+    for (const auto& row : rows) values.push_back(value(row));
+    file.dataset(fmt::format("energy/{}", name), values, 1, unit, meaning);
+  };
+  column("time", "T", "of the rows; energies are those of half a step before",
+         [](const auto& row) { return row.time; });
+  for (const auto& entry : energy_columns) {
+    column(entry.name, "M L^2/T^2", entry.meaning, [&](const auto& row) { return row.energy.*entry.entry; });
+  }
+  column("error", "M L^2/T^2", "what is there and has gone, less what was put in",
+         [](const auto& row) { return row.energy.error(); });
 }
 
 void write_series(Hdf5File& file, const std::vector<SeriesRow>& rows) {
   std::vector<double> time;
   std::vector<std::int64_t> grains;
+  std::vector<std::int64_t> lost;
   std::vector<std::int64_t> contacts;
   std::vector<double> energy;
   std::vector<double> residual;
@@ -96,6 +163,7 @@ void write_series(Hdf5File& file, const std::vector<SeriesRow>& rows) {
   for (const auto& row : rows) {
     time.push_back(row.time);
     grains.push_back(row.grains);
+    lost.push_back(row.lost);
     contacts.push_back(row.contacts);
     energy.push_back(row.kinetic_energy_per_grain);
     residual.push_back(row.force_residual);
@@ -104,6 +172,7 @@ void write_series(Hdf5File& file, const std::vector<SeriesRow>& rows) {
   file.group("series");
   file.dataset("series/time", time, 1, "T", "time");
   file.dataset("series/grains", grains, 1, "", "moving grains present");
+  file.dataset("series/lost", lost, 1, "", "grains that have left");
   file.dataset("series/contacts", contacts, 1, "", "contacts above the force threshold");
   file.dataset("series/kinetic_energy_per_grain", energy, 1, "M L^2/T^2", "translation and rotation");
   file.dataset("series/force_residual", residual, 1, "grain weights", "mean net force on a grain over its weight");
@@ -122,17 +191,38 @@ void check_lengths(const Hdf5Reader& file, const std::string& group, std::initia
 std::vector<SeriesRow> read_series(const Hdf5Reader& file) {
   const auto time = file.dataset<double>("series/time");
   const auto grains = file.dataset<std::int64_t>("series/grains");
+  const auto lost = file.dataset<std::int64_t>("series/lost");
   const auto contacts = file.dataset<std::int64_t>("series/contacts");
   const auto energy = file.dataset<double>("series/kinetic_energy_per_grain");
   const auto residual = file.dataset<double>("series/force_residual");
   const auto overlap = file.dataset<double>("series/max_overlap");
-  check_lengths(file, "series",
-                {time.size(), grains.size(), contacts.size(), energy.size(), residual.size(), overlap.size()});
+  check_lengths(
+      file, "series",
+      {time.size(), grains.size(), lost.size(), contacts.size(), energy.size(), residual.size(), overlap.size()});
   std::vector<SeriesRow> rows;
   for (std::size_t k = 0; k < time.size(); ++k) {
-    rows.push_back({time[k], grains[k], contacts[k], energy[k], residual[k], overlap[k]});
+    rows.push_back({time[k], grains[k], lost[k], contacts[k], energy[k], residual[k], overlap[k], {}, {}});
   }
   return rows;
+}
+
+void read_wall_series(const Hdf5Reader& file, std::size_t walls, std::vector<SeriesRow>& rows) {
+  if (walls == 0 || rows.empty()) return;
+  const auto displacement = file.dataset<double>("series/wall_displacement", walls);
+  const auto force_x = file.dataset<double>("series/wall_force_x", walls);
+  const auto force_y = file.dataset<double>("series/wall_force_y", walls);
+  check_lengths(file, "series", {rows.size() * walls, displacement.size(), force_x.size(), force_y.size()});
+  for (std::size_t k = 0; k < displacement.size(); ++k) {
+    rows[k / walls].walls.push_back({displacement[k], {{force_x[k], force_y[k]}}});
+  }
+}
+
+void read_energy(const Hdf5Reader& file, std::vector<SeriesRow>& rows) {
+  for (const auto& column : energy_columns) {
+    const auto values = file.dataset<double>(fmt::format("energy/{}", column.name));
+    check_lengths(file, "energy", {rows.size(), values.size()});
+    for (std::size_t k = 0; k < rows.size(); ++k) rows[k].energy.*column.entry = values[k];
+  }
 }
 
 void write_base(Hdf5File& file, const BaseProfile& base) {
@@ -178,14 +268,14 @@ Track read_track(const Hdf5Reader& file) {
 /// A damaged file may name grains that are not there; nothing behind this point looks again.
 void check_partners(const Hdf5Reader& file, const Record& record) {
   const auto& id = record.grains.id;
-  const auto planes = static_cast<std::int64_t>(make_walls(record.scene).size());
+  const auto walls = static_cast<std::int64_t>(make_walls(record.scene).size());
   const auto known = [&](std::int64_t k) { return std::binary_search(id.begin(), id.end(), k); };
   const bool sound =
       std::is_sorted(id.begin(), id.end()) &&
       std::all_of(record.contacts.list.begin(), record.contacts.list.end(), [&](const auto& contact) {
-        return known(contact.first) && (contact.second < 0 ? contact.second >= -planes : known(contact.second));
+        return known(contact.first) && (contact.second < 0 ? contact.second >= -walls : known(contact.second));
       });
-  if (!sound) throw InputError(fmt::format("{}: contacts: names a grain or plane that is not there", file.path()));
+  if (!sound) throw InputError(fmt::format("{}: contacts: names a grain or wall that is not there", file.path()));
 }
 
 }  // namespace
@@ -227,8 +317,10 @@ void write_record(const std::string& path, const Record& record, const std::vect
   write_header(file, record.scene, record.facts);
   write_grains(file, record.grains);
   write_contacts(file, record.contacts);
-  write_planes(file, record.scene);
+  write_walls(file, record.scene);
   write_series(file, record.series);
+  write_wall_series(file, record.series);
+  if (record.scene.output.energy) write_energy(file, record.series);
   write_base(file, record.base);
   file.external_link("analysis", "analysis.h5", "/");
   const auto link = [&](const std::string& group, const std::vector<std::string>& names) {
@@ -275,6 +367,8 @@ Record read_record(const std::string& folder) {
   record.contacts = read_contacts<2>(file);
   check_partners(file, record);
   record.series = read_series(file);
+  read_wall_series(file, make_walls(record.scene).size(), record.series);
+  if (record.scene.output.energy) read_energy(file, record.series);
   record.base = read_base(file);
   record.track = read_track(file);
   return record;

@@ -8,6 +8,8 @@
 #include "repose/scene/scene.hpp"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace repose {
 
@@ -20,6 +22,9 @@ Grains<2> initial_grains(const Scene& scene);
 
 /// The walls of the scene: a base plane first, then planes, then segments.
 std::vector<Wall<2>> make_walls(const Scene& scene);
+
+/// Their names, in the same order.
+std::vector<std::string> wall_names(const Scene& scene);
 
 Box<2> make_box(const Scene& scene);
 

@@ -41,6 +41,8 @@ Simulation::Simulation(Scene scene, int threads)
     if (grains_.line[k].fixed()) fixed_ids_.push_back(grains_.id[k]);
   }
   moving_ = moving_count(grains_);
+  by_start_ = scene_.loads;
+  std::stable_sort(by_start_.begin(), by_start_.end(), [](const auto& a, const auto& b) { return a.start < b.start; });
   method_->grains_added(grains_);
 }
 
@@ -62,6 +64,9 @@ long Simulation::next_stop() const {
   next = std::min(next, (step_ / observe_every_ + 1) * observe_every_);
   if (!pour_.done()) next = std::min(next, pour_.next_step());
   if (scene_.stop.time) next = std::min(next, steps_in(*scene_.stop.time, time_step_));
+  if (loads_begun_ < by_start_.size()) {
+    next = std::min(next, std::max(step_ + 1, steps_in(by_start_[loads_begun_].start, time_step_)));
+  }
   return next;
 }
 
@@ -76,6 +81,7 @@ void Simulation::release_due_grains() {
 void Simulation::run(const Hooks& hooks, const std::atomic<bool>& interrupt) {
   started_ = std::chrono::steady_clock::now();
   release_due_grains();
+  apply_due_loads();
   method_->refresh(grains_, team_);
   if (const auto start = contacts(); max_overlap(start) > largest_overlap) {
     stop(Status::failed, describe_trouble(start));
@@ -94,7 +100,10 @@ void Simulation::run(const Hooks& hooks, const std::atomic<bool>& interrupt) {
       stop(Status::finished, fmt::format("reached stop.time = {}", *scene_.stop.time));
     }
     if (status_ == Status::running && interrupt) stop(Status::interrupted, "interrupted");
-    if (status_ == Status::running) release_due_grains();
+    if (status_ == Status::running) {
+      release_due_grains();
+      apply_due_loads();
+    }
   }
 }
 
@@ -114,6 +123,9 @@ void Simulation::observe(const Hooks& hooks) {
   row.kinetic_energy_per_grain = moving_ > 0 ? kinetic_energy(grains_) / static_cast<double>(moving_) : 0.0;
   row.force_residual = force_residual(grains_, contacts, Vec<2>{{0.0, -scene_.gravity}});
   row.max_overlap = max_overlap(contacts);
+  row.lost = grains_lost();
+  row.walls = wall_rows();
+  if (scene_.output.energy) row.energy = method_->energy(grains_);
   series_.push_back(row);
   if (track_every_ > 0 && step_ / observe_every_ % track_every_ == 0) record_track(contacts);
 
@@ -131,6 +143,42 @@ void Simulation::observe(const Hooks& hooks) {
   if (hooks.observed) hooks.observed(*this);
   if (hooks.frame && status_ == Status::running && frame_every_ > 0 && step_ / observe_every_ % frame_every_ == 0)
     hooks.frame(*this);
+}
+
+std::vector<WallRow> Simulation::wall_rows() {
+  const auto impulses = method_->taken_wall_impulses();
+  const double duration = time() - (series_.empty() ? 0.0 : series_.back().time);
+  std::vector<WallRow> rows;
+  for (std::size_t w = 0; w < impulses.size(); ++w) {
+    rows.push_back({method_->walls()[w].displacement, impulses[w] * (1.0 / duration)});
+  }
+  return rows;
+}
+
+void Simulation::apply_due_loads() {
+  bool changed = false;
+  for (; loads_begun_ < scene_.loads.size(); ++loads_begun_) {
+    const auto& load = by_start_[loads_begun_];
+    if (load.start > time() + 1e-9 * time_step_) break;
+    const auto grain = load.grain >= 0 ? load.grain : nearest_grain({{load.position[0], load.position[1]}});
+    if (grain >= 0) loads_.push_back({grain, {{load.force[0], load.force[1]}}});
+    changed = true;
+  }
+  if (changed) method_->set_loads(loads_);
+}
+
+std::int64_t Simulation::nearest_grain(const Vec<2>& place) const {
+  std::int64_t nearest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  const auto box = make_box(scene_);
+  for (const auto k : by_id(grains_)) {
+    if (grains_.line[k].fixed()) continue;
+    const Vec<2> d = separation(box.wrapped(grains_.line[k].position), box.wrapped(place), box);
+    if (dot(d, d) >= least) continue;
+    least = dot(d, d);
+    nearest = grains_.id[k];
+  }
+  return nearest;
 }
 
 bool Simulation::at_rest() const {

@@ -65,6 +65,9 @@ class Simulation {
   void release_due_grains();
   void observe(const Hooks& hooks);
   void record_reactions();
+  std::vector<WallRow> wall_rows();
+  void apply_due_loads();
+  std::int64_t nearest_grain(const Vec<2>& place) const;
   void record_track(const Contacts<2>& contacts);
   BaseProfile base_profile() const;
   double force_on_supports(const Contacts<2>& contacts) const;
@@ -79,6 +82,9 @@ class Simulation {
   std::unique_ptr<Method<2>> method_;
   double time_step_;
   Pour pour_;
+  std::vector<Scene::Load> by_start_;  // the loads of the scene in the order in which they begin
+  std::size_t loads_begun_ = 0;
+  std::vector<Load<2>> loads_;
   std::int64_t placed_ = 0;  // moving grains at the start
   std::vector<std::int64_t> fixed_ids_;
   long observe_every_;

@@ -5,8 +5,48 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
 
 namespace repose {
+
+namespace {
+
+void check_direction(const std::string& key, const std::array<double, 2>& vector, Reader& reader) {
+  if (std::hypot(vector[0], vector[1]) < 1e-100 && reader.sound(key)) {
+    reader.problem(key, fmt::format(" = [{}, {}]: must have a direction", vector[0], vector[1]));
+  }
+}
+
+void check_motion(const std::string& prefix, const Scene::Wall& wall, const Scene& scene, Reader& reader) {
+  if (wall.motion == "velocity" || wall.motion == "spring") check_direction(prefix + "velocity", wall.velocity, reader);
+  if (wall.motion == "force") check_direction(prefix + "force", wall.force, reader);
+  const bool feels = wall.motion == "force" || wall.motion == "spring";
+  if (!feels || !reader.problems().empty()) return;
+  // The piston on its spring, or between it and one grain: explicit steps are unstable beyond w dt = 2.
+  const double step = scene.time_step();
+  const double contact = scene.grains.mass * std::pow(scene.contact_frequency(), 2);
+  const double phase = step * std::sqrt((wall.stiffness + contact) / wall.mass);
+  if (phase <= 1.0) return;
+  reader.problem(prefix + "mass",
+                 fmt::format(" = {}: too light for the time step {:.4g}: w dt = {:.3g} > 1 against one grain and its "
+                             "spring; at least {:.4g} [M], and more where many grains touch it",
+                             wall.mass, step, phase, wall.mass * phase * phase));
+}
+
+/// Walls are known by their names in the output.
+void check_names(const Scene& scene, Reader& reader) {
+  std::set<std::string> names;
+  const auto check = [&](const std::string& table, const std::vector<Scene::Wall>& walls) {
+    for (std::size_t k = 0; k < walls.size(); ++k) {
+      if (names.insert(walls[k].name).second) continue;
+      reader.problem(fmt::format("{}[{}].name", table, k), fmt::format(" = \"{}\": is taken", walls[k].name));
+    }
+  };
+  check("plane", scene.planes);
+  check("wall", scene.pieces);
+}
+
+}  // namespace
 
 void check_boundaries(const Scene& scene, Reader& reader) {
   const double d = scene.grains.diameter;
@@ -42,11 +82,22 @@ void check_boundaries(const Scene& scene, Reader& reader) {
                                scene.base.spacing, 2.0 * d));
   }
   for (std::size_t k = 0; k < scene.planes.size(); ++k) {
-    const auto& [x, y] = scene.planes[k].normal;
-    const auto key = fmt::format("plane[{}].normal", k);
-    if (std::hypot(x, y) < 1e-100 && reader.sound(key)) {
-      reader.problem(key, fmt::format(" = [{}, {}]: must have a direction", x, y));
+    const auto prefix = fmt::format("plane[{}].", k);
+    check_direction(prefix + "normal", scene.planes[k].normal, reader);
+    check_motion(prefix, scene.planes[k], scene, reader);
+  }
+  for (std::size_t k = 0; k < scene.pieces.size(); ++k) {
+    const auto& piece = scene.pieces[k];
+    const auto prefix = fmt::format("wall[{}].", k);
+    const double length = std::hypot(piece.to[0] - piece.from[0], piece.to[1] - piece.from[1]);
+    if (length < 1e-6 * d && reader.sound(prefix + "from") && reader.sound(prefix + "to")) {
+      reader.problem(prefix + "to", fmt::format(" = [{}, {}]: is where the wall begins", piece.to[0], piece.to[1]));
     }
+    check_motion(prefix, piece, scene, reader);
+  }
+  check_names(scene, reader);
+  for (std::size_t k = 0; k < scene.loads.size(); ++k) {
+    check_direction(fmt::format("load[{}].force", k), scene.loads[k].force, reader);
   }
 }
 

@@ -47,16 +47,38 @@ struct Scene {
   } base;
 
   struct Region {
-    std::string x;            ///< "open" or "periodic"
-    double half_width = 0.0;  ///< [L]
+    std::string x;                ///< "open" or "periodic"
+    double half_width = 0.0;      ///< [L]
+    std::optional<double> floor;  ///< [L] grains that fall below are lost; none: "auto"
   } box;
 
+  /// A plane (point, normal) or a straight piece of wall (from, to), and what moves it.
   struct Wall {
+    std::string name;
     std::array<double, 2> point{};
     std::array<double, 2> normal{};
+    std::array<double, 2> from{};
+    std::array<double, 2> to{};
     bool smooth = false;
+    std::string motion;  ///< "fixed", "velocity", "force" or "spring"
+    std::array<double, 2> velocity{};
+    std::array<double, 2> force{};
+    double stiffness = 0.0;          ///< [M/T^2] of the spring
+    double mass = 0.0;               ///< [M]
+    double drag = 0.0;               ///< [M/T]
+    double start = 0.0;              ///< [T]
+    std::optional<double> opens_at;  ///< [T] not there from then on
   };
   std::vector<Wall> planes;
+  std::vector<Wall> pieces;
+
+  struct Load {
+    std::int64_t grain = -1;           ///< id, or -1: the moving grain nearest to the position
+    std::array<double, 2> position{};  ///< [L]
+    std::array<double, 2> force{};     ///< [M L/T^2]
+    double start = 0.0;                ///< [T]
+  };
+  std::vector<Load> loads;
 
   struct Placed {
     std::array<double, 2> position{};
@@ -87,6 +109,7 @@ struct Scene {
     double frames = 0.0;  ///< [T] between two saved frames; 0: none
     double window = 0.0;  ///< [T] over which base forces are averaged
     double track = 0.0;   ///< [T] between two moments of the track; 0: none
+    bool energy = false;  ///< keep account of the energy
   } output;
 
   struct Analysis {
