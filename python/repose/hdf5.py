@@ -7,6 +7,13 @@ from contextlib import contextmanager
 import h5py
 import numpy as np
 
+try:
+    import xxhash
+except ImportError:  # then damage shows only where HDF5 itself notices
+    xxhash = None
+
+SEAL_SIZE = 512  # bytes before the HDF5 file proper
+
 
 class RunFolderError(ValueError):
     """A folder that holds nothing readable; the message is one line."""
@@ -52,12 +59,27 @@ def check_format(path, attributes, kind, version, needed=()):
         raise RunFolderError(f"{path}: not as the format says: no attribute {', '.join(missing)}")
 
 
+def check_seal(path):
+    """RunFolderError unless a sealed file is as Repose wrote it: length and hash of what follows its first 512 bytes."""
+    with open(path, "rb") as file:
+        seal = file.read(SEAL_SIZE).rstrip(b"\0").decode("ascii", "replace").split("\n")
+        if xxhash is None or seal[0] != "repose sealed file":
+            return
+        length, digest = SEAL_SIZE, xxhash.xxh3_128()
+        while piece := file.read(1 << 20):
+            digest.update(piece)
+            length += len(piece)
+    if seal[1:3] != [f"length {length}", f"xxh3-128 {digest.hexdigest()}"]:
+        raise RunFolderError(f"{path}: damaged: its content is not what was written")
+
+
 @contextmanager
 def opened(path):
     """An HDF5 file; what h5py says of it, or of a missing or damaged part, becomes a RunFolderError."""
     if not path.is_file():
         raise RunFolderError(f"{path.parent}: no {path.name} in this folder")
     try:
+        check_seal(path)
         file = h5py.File(path, "r")
     except OSError as error:
         raise RunFolderError(f"{path}: cannot be read: {one_line(error)}") from error

@@ -6,11 +6,13 @@ import json
 import os
 import re
 import subprocess
+from contextlib import contextmanager
 from pathlib import Path
 
 import h5py
 import numpy as np
 import pytest
+import xxhash
 
 PROGRAM = os.environ.get("REPOSE_PROGRAM", "")
 
@@ -57,6 +59,16 @@ def datasets(path):
     with h5py.File(path, "r") as file:
         collect(file, "")
     return found
+
+
+@contextmanager
+def changed(path):
+    """An HDF5 file of Repose to be changed by hand, and sealed again as if Repose had written it so."""
+    with h5py.File(path, "r+") as file:
+        yield file
+    content = path.read_bytes()
+    seal = f"repose sealed file\nlength {len(content)}\nxxh3-128 {xxhash.xxh3_128_hexdigest(content[512:])}\n"
+    path.write_bytes(seal.encode().ljust(512, b"\0") + content[512:])
 
 
 def assert_same_bits(first, second):

@@ -87,7 +87,7 @@ def test_account_of_the_energy_is_an_onlooker(lab):
                                        "friction walls error").split()
     }
     for name, values in without.items():
-        assert values.tobytes() == with_account[name].tobytes(), name
+        assert name == "/scene" or values.tobytes() == with_account[name].tobytes(), name
 
 
 # Nothing falls before the gate opens, everything after.
@@ -165,6 +165,8 @@ WRONG = {
     "piston too light": (MOVING + "motion = 'force'\nforce = [0, 1]\nmass = 1e-6\n", "wall[0].mass = 1e-06: too light for the time step"),
     "spring without stiffness": (MOVING + "motion = 'spring'\nvelocity = [0, 1]\nmass = 1\n", "wall[0].stiffness: missing"),
     "mass of a fixed wall": (MOVING + "mass = 1\n", "wall[0].mass: unknown key"),
+    "upright plane in a periodic box": ("[box]\nx = 'periodic'\n[[plane]]\npoint = [0, 0]\nnormal = [1, 1]\n" + MOVING,
+                                        "plane[0].normal = [1, 1]: a plane must be level in a periodic box"),
     "name twice": (MOVING + "name = 'a'\n[[wall]]\nfrom = [0, 5]\nto = [1, 5]\nname = 'a'\n", "wall[1].name = \"a\": is taken"),
     "load without force": (MOVING + "[[load]]\ngrain = 0\n", "load[0].force: missing"),
     "load of nothing": (MOVING + "[[load]]\nforce = [0, 0]\n", "load[0].force = [0, 0]: must have a direction"),

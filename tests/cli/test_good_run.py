@@ -16,7 +16,7 @@ SUMMARY_KEYS = {
     "fabric_direction_deg", "connectivity", "angle_of_repose_deg", "base_profile", "base_dip", "weight_error",
     "grains_lost", "stop_reason", "status",
 }
-TIMED = ("wall_seconds", "grain_steps_per_second", "threads")
+TIMED = ("checksum", "wall_seconds", "grain_steps_per_second", "threads")
 
 
 def untimed(folder):

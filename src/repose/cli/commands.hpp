@@ -22,6 +22,7 @@ struct Command {
 
 Command add_run(CLI::App& app);
 Command add_check(CLI::App& app);
+Command add_resume(CLI::App& app);
 Command add_sweep(CLI::App& app);
 Command add_analyse(CLI::App& app);
 Command add_plot(CLI::App& app);

@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(0, 1);
   const auto run = add_run(app);
   const auto check = add_check(app);
+  const auto resume = add_resume(app);
   const auto sweep = add_sweep(app);
   const auto analyse = add_analyse(app);
   const auto plot = add_plot(app);
@@ -38,7 +39,7 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : exit_bad_input;
   }
   try {
-    for (const auto& command : {run, check, sweep, analyse, plot}) {
+    for (const auto& command : {run, check, resume, sweep, analyse, plot}) {
       if (command.app->parsed()) return command.act();
     }
   } catch (const InputError& error) {

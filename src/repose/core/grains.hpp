@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/archive.hpp"
 #include "repose/core/errors.hpp"
 #include "repose/core/vec.hpp"
 
@@ -57,6 +58,15 @@ struct Grains {
     base.push_back(is_base ? 1 : 0);
     reaction.push_back({});
     if (!half_step.empty()) half_step.push_back({grain.velocity, grain.rim_velocity});
+  }
+
+  void exchange(Archive& archive) {
+    archive.array("grains/line", line);
+    archive.array("grains/id", id);
+    archive.array("grains/material", material);
+    archive.array("grains/base", base);
+    archive.array("grains/reaction", reaction);
+    archive.array("grains/half_step", half_step);
   }
 
   /// Reorders (or drops) grains: entry k of the new arrays is entry order[k] of the old.

@@ -4,6 +4,7 @@
 
 #include "repose/core/errors.hpp"
 #include "repose/io/hdf5_handle.hpp"
+#include "repose/io/seal.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -67,7 +68,9 @@ void publish(const std::string& temporary, const std::string& path) {
 
 Hdf5File::Hdf5File(std::string path) : path_(std::move(path)), temporary_(path_ + ".tmp") {
   set_up_hdf5();
-  file_ = H5Fcreate(temporary_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  H5Pset_userblock(creation.id(), seal_size);
+  file_ = H5Fcreate(temporary_.c_str(), H5F_ACC_TRUNC, creation.id(), H5P_DEFAULT);
   if (file_ < 0) fail();
 }
 
@@ -111,8 +114,18 @@ void Hdf5File::attribute(const std::string& object, const std::string& name, con
 template <class T>
 void Hdf5File::dataset(const std::string& name, const std::vector<T>& values, std::size_t columns,
                        std::string_view unit, std::string_view meaning) {
+  write(name, values, columns, columns == 1 ? 1 : 2, unit, meaning);
+}
+
+void Hdf5File::table(const std::string& name, const std::vector<double>& values, std::size_t columns,
+                     std::string_view unit, std::string_view meaning) {
+  write(name, values, columns, 2, unit, meaning);
+}
+
+template <class T>
+void Hdf5File::write(const std::string& name, const std::vector<T>& values, std::size_t columns, int rank,
+                     std::string_view unit, std::string_view meaning) {
   const hsize_t shape[2] = {values.size() / columns, columns};
-  const int rank = columns == 1 ? 1 : 2;
   {
     const Handle space(H5Screate_simple(rank, shape, nullptr), H5Sclose);
     const Handle layout(same_bits_layout(), H5Pclose);
@@ -143,6 +156,18 @@ template void Hdf5File::dataset(const std::string&, const std::vector<std::uint1
                                 std::string_view);
 template void Hdf5File::dataset(const std::string&, const std::vector<std::uint8_t>&, std::size_t, std::string_view,
                                 std::string_view);
+
+void Hdf5File::bytes(const std::string& name, std::size_t item, std::size_t count, const void* data) {
+  const hsize_t size = item * count;
+  const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
+  const Handle layout(same_bits_layout(), H5Pclose);
+  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  H5Pset_create_intermediate_group(links.id(), 1);
+  const Handle dataset(
+      H5Dcreate2(file_, name.c_str(), H5T_NATIVE_UINT8, space.id(), links.id(), layout.id(), H5P_DEFAULT), H5Dclose);
+  if (dataset.failed()) fail();
+  if (size > 0 && H5Dwrite(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0) fail();
+}
 
 void Hdf5File::texts(const std::string& name, const std::vector<std::string>& values, std::string_view meaning) {
   std::size_t longest = 1;
@@ -177,6 +202,12 @@ void Hdf5File::commit() {
     const std::string why = hdf5_reason();
     std::remove(temporary_.c_str());
     throw RunError(fmt::format("{}: cannot write: {}", path_, why));
+  }
+  try {
+    seal(temporary_);
+  } catch (const RunError&) {
+    std::remove(temporary_.c_str());
+    throw RunError(fmt::format("{}: cannot write its seal", path_));
   }
   publish(temporary_, path_);
 }

@@ -10,7 +10,8 @@
 namespace repose {
 
 /// Writes one HDF5 file: under a temporary name until `commit` flushes it to the disk and renames it, so that nobody
-/// ever meets half a file. Every call throws RunError with the system's reason if it fails.
+/// ever meets half a file, and sealed (io/seal.hpp), so that damage shows. Every call throws RunError with the system's
+/// reason if it fails.
 class Hdf5File {
  public:
   explicit Hdf5File(std::string path);
@@ -30,8 +31,15 @@ class Hdf5File {
   void dataset(const std::string& name, const std::vector<T>& values, std::size_t columns, std::string_view unit,
                std::string_view meaning);
 
+  /// A dataset of shape (n, columns), even of one column.
+  void table(const std::string& name, const std::vector<double>& values, std::size_t columns, std::string_view unit,
+             std::string_view meaning);
+
   /// A dataset of shape (n) of text.
   void texts(const std::string& name, const std::vector<std::string>& values, std::string_view meaning);
+
+  /// Bytes as they are in memory, of `count` items; groups on the way are made.
+  void bytes(const std::string& name, std::size_t item, std::size_t count, const void* data);
 
   /// A link to an object of another file, by a path relative to this file.
   void external_link(const std::string& name, const std::string& file, const std::string& object);
@@ -39,6 +47,9 @@ class Hdf5File {
   void commit();
 
  private:
+  template <class T>
+  void write(const std::string& name, const std::vector<T>& values, std::size_t columns, int rank,
+             std::string_view unit, std::string_view meaning);
   [[noreturn]] void fail() const;
 
   std::string path_;

@@ -4,6 +4,7 @@
 
 #include "repose/core/errors.hpp"
 #include "repose/io/hdf5_handle.hpp"
+#include "repose/io/seal.hpp"
 
 #include <fmt/format.h>
 
@@ -16,6 +17,7 @@ Hdf5Reader::Hdf5Reader(std::string path) : path_(std::move(path)) {
   set_up_hdf5();
   std::error_code error;
   if (!std::filesystem::exists(path_, error)) throw InputError(fmt::format("{}: no such file", path_));
+  if (const auto broken = broken_seal(path_); !broken.empty()) throw InputError(fmt::format("{}: {}", path_, broken));
   file_ = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (file_ < 0) throw InputError(fmt::format("{}: cannot be read: damaged, or not an HDF5 file", path_));
 }
@@ -80,15 +82,24 @@ std::int64_t Hdf5Reader::integer(const std::string& object, const std::string& a
 
 template <class T>
 std::vector<T> Hdf5Reader::dataset(const std::string& name, std::size_t columns) const {
+  return read<T>(name, columns, columns == 1 ? 1 : 2);
+}
+
+template <class T>
+std::vector<T> Hdf5Reader::table(const std::string& name, std::size_t columns) const {
+  return read<T>(name, columns, 2);
+}
+
+template <class T>
+std::vector<T> Hdf5Reader::read(const std::string& name, std::size_t columns, int wanted) const {
   const Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
   if (dataset.failed()) fail(name, "no such dataset");
   const Handle space(H5Dget_space(dataset.id()), H5Sclose);
   std::array<hsize_t, 2> shape{1, 1};
   const int rank = H5Sget_simple_extent_ndims(space.id());
-  const int wanted = columns == 1 ? 1 : 2;
   if (rank != wanted || H5Sget_simple_extent_dims(space.id(), shape.data(), nullptr) < 0 || shape[1] != columns) {
-    fail(name, columns == 1 ? std::string("must have one dimension")
-                            : fmt::format("must have two dimensions, with {} columns", columns));
+    fail(name, wanted == 1 ? std::string("must have one dimension")
+                           : fmt::format("must have two dimensions, with {} columns", columns));
   }
   std::vector<T> values(shape[0] * shape[1]);
   if (!values.empty() && H5Dread(dataset.id(), native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
@@ -97,11 +108,46 @@ std::vector<T> Hdf5Reader::dataset(const std::string& name, std::size_t columns)
   return values;
 }
 
+template std::vector<double> Hdf5Reader::table(const std::string&, std::size_t) const;
 template std::vector<double> Hdf5Reader::dataset(const std::string&, std::size_t) const;
 template std::vector<float> Hdf5Reader::dataset(const std::string&, std::size_t) const;
 template std::vector<std::int64_t> Hdf5Reader::dataset(const std::string&, std::size_t) const;
 template std::vector<std::uint16_t> Hdf5Reader::dataset(const std::string&, std::size_t) const;
 template std::vector<std::uint8_t> Hdf5Reader::dataset(const std::string&, std::size_t) const;
+
+std::vector<std::string> Hdf5Reader::texts(const std::string& name) const {
+  const Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (dataset.failed()) fail(name, "no such dataset");
+  const Handle type(H5Dget_type(dataset.id()), H5Tclose);
+  const Handle space(H5Dget_space(dataset.id()), H5Sclose);
+  if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) != 0) fail(name, "is not text");
+  const auto count = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id()));
+  const auto length = H5Tget_size(type.id());
+  std::string characters(count * length, '\0');
+  if (count > 0 && H5Dread(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, characters.data()) < 0) {
+    fail(name, "cannot be read");
+  }
+  std::vector<std::string> values;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto value = characters.substr(k * length, length);
+    values.push_back(value.substr(0, value.find('\0')));
+  }
+  return values;
+}
+
+void Hdf5Reader::bytes(const std::string& name, std::size_t item,
+                       const std::function<void*(std::size_t count)>& room) const {
+  const Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (dataset.failed()) fail(name, "no such dataset");
+  const Handle space(H5Dget_space(dataset.id()), H5Sclose);
+  const auto size = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id()));
+  if (size % item != 0) fail(name, "of another size than expected");
+  void* data = room(size / item);
+  if (data == nullptr && size > 0) fail(name, "of another size than expected");
+  if (size > 0 && H5Dread(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0) {
+    fail(name, "cannot be read");
+  }
+}
 
 std::vector<std::string> Hdf5Reader::names_in(const std::string& group) const {
   std::vector<std::string> names;

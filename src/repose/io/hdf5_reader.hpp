@@ -3,13 +3,15 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace repose {
 
-/// Reads one HDF5 file, links into other files included. Every call throws InputError, one line with the file and the
-/// object, where something is missing, damaged or of another type.
+/// Reads one HDF5 file of ours whose seal is whole. What links lead to in other files is not looked at: open these.
+/// Every call throws InputError, one line with the file and the object, where something is missing, damaged or of
+/// another type.
 class Hdf5Reader {
  public:
   explicit Hdf5Reader(std::string path);
@@ -27,10 +29,22 @@ class Hdf5Reader {
   template <class T>
   std::vector<T> dataset(const std::string& name, std::size_t columns = 1) const;
 
+  /// Text that Hdf5File::texts wrote.
+  std::vector<std::string> texts(const std::string& name) const;
+
+  /// Bytes that Hdf5File::bytes wrote, of items of this size, into the room that is made for them; null: no room.
+  void bytes(const std::string& name, std::size_t item, const std::function<void*(std::size_t count)>& room) const;
+
+  /// The same of a dataset that has two dimensions even with one column.
+  template <class T>
+  std::vector<T> table(const std::string& name, std::size_t columns) const;
+
   /// Names of the objects in a group, ascending.
   std::vector<std::string> names_in(const std::string& group) const;
 
  private:
+  template <class T>
+  std::vector<T> read(const std::string& name, std::size_t columns, int rank) const;
   [[noreturn]] void fail(const std::string& object, const std::string& what) const;
 
   std::string path_;

@@ -3,6 +3,7 @@
 #include "repose/io/state.hpp"
 
 #include "repose/core/errors.hpp"
+#include "repose/io/hash.hpp"
 
 namespace repose {
 
@@ -155,6 +156,27 @@ Contacts<2> read_contacts(const Hdf5Reader& file) {
                              sliding[k] != 0});
   }
   return contacts;
+}
+
+std::string state_hash(const Grains<2>& grains, const Contacts<2>& contacts) {
+  Hash hash;
+  const auto add = [&](const auto& value) { hash.add(&value, sizeof value); };
+  hash.add(grains.id);
+  for (const auto& grain : grains.line) {
+    for (const double number : {grain.position[0], grain.position[1], grain.velocity[0], grain.velocity[1],
+                                grain.rim_velocity, grain.radius, grain.mass}) {
+      add(number);
+    }
+  }
+  for (const auto& half : grains.half_step) {
+    for (const double number : {half.velocity[0], half.velocity[1], half.rim_velocity}) add(number);
+  }
+  for (const auto& contact : contacts.list) {
+    add(contact.first);
+    add(contact.second);
+    add(contact.history);
+  }
+  return hash.text();
 }
 
 template void write_grains(Hdf5File&, const Grains<2>&);

@@ -19,6 +19,9 @@ void write_grains(Hdf5File& file, const Grains<D>& grains);
 template <int D>
 void write_contacts(Hdf5File& file, const Contacts<D>& contacts);
 
+/// XXH3-128 of the exact bits of the motion and the contacts, in their order in `grains` and `contacts` (D = 2).
+std::string state_hash(const Grains<2>& grains, const Contacts<2>& contacts);
+
 /// The grains of a file, in order of id (D = 2). Throws InputError where the group is not as write_grains makes it.
 template <int D>
 Grains<D> read_grains(const Hdf5Reader& file);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "repose/boundaries/wall.hpp"
+#include "repose/core/archive.hpp"
 #include "repose/core/contacts.hpp"
 #include "repose/core/energy.hpp"
 #include "repose/core/grains.hpp"
@@ -54,6 +55,12 @@ class Method {
 
   /// Impulse of the grains on each wall [M L/T] since this was last called.
   virtual std::vector<Vec<D>> taken_wall_impulses() = 0;
+
+  /// All that the method knows besides its settings, for a checkpoint.
+  virtual void exchange(Archive& archive) = 0;
+
+  /// To be told when grains and method have been restored: the next step is that which would have been the next.
+  virtual void restored(const Grains<D>& grains, const Team& team) = 0;
 
   /// The account of the energy half a step ago; empty unless the method keeps one.
   virtual Energy energy(const Grains<D>& grains) const = 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/archive.hpp"
 #include "repose/core/box.hpp"
 #include "repose/core/grains.hpp"
 #include "repose/core/team.hpp"
@@ -38,6 +39,9 @@ class PairList {
   /// Forces the next `stale` to say yes: grains were added.
   void invalidate() { valid_ = false; }
 
+  /// Whether it is of the grains as they are; else it is built before the next step.
+  bool valid() const { return valid_; }
+
   /// To be told after every step how far the fastest grain went [L].
   void moved(double furthest) { travelled_ += furthest; }
 
@@ -50,6 +54,20 @@ class PairList {
 
   /// How far a grain may go from where it was when the list was built [L]: half the skin, more for fast ones.
   double allowance(std::size_t i) const { return allowance_[i]; }
+
+  void exchange(Archive& archive) {
+    archive.value("pairs/valid", valid_);
+    archive.value("pairs/travelled", travelled_);
+    archive.value("pairs/slack", slack_);
+    archive.value("pairs/builds", builds_);
+    archive.value("pairs/bandwidth", bandwidth);
+    archive.array("pairs/built_at", built_at_);
+    archive.array("pairs/allowance", allowance_);
+    archive.array("pairs/row_start", row_start);
+    archive.array("pairs/partner", partner);
+    archive.array("pairs/history", history);
+    archive.array("pairs/roll", roll);
+  }
 
   std::size_t rows() const { return row_start.empty() ? 0 : row_start.size() - 1; }
   std::size_t pairs() const { return partner.size(); }

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/run/folders.hpp"
 
+#include "repose/core/errors.hpp"
+
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -43,5 +47,15 @@ std::vector<std::string> folder_problems(const std::string& path) {
   }
   return {};
 }
+
+FolderLock::FolderLock(const std::string& path)
+    : descriptor_(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (descriptor_ < 0) throw InputError(fmt::format("{}: cannot be opened: {}", path, std::strerror(errno)));
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;  // not every file system has locks
+  ::close(descriptor_);
+  throw InputError(fmt::format("{}: a run is being written here by another program", path));
+}
+
+FolderLock::~FolderLock() { ::close(descriptor_); }
 
 }  // namespace repose

@@ -16,4 +16,17 @@ std::filesystem::path existing_ancestor(std::filesystem::path path);
 /// Why no output can be written into a folder of this name, which need not exist yet; one line each.
 std::vector<std::string> folder_problems(const std::string& path);
 
+/// Holds a folder for one writer as long as it lives; the system lets go of it should the program be killed.
+class FolderLock {
+ public:
+  /// Throws InputError if another program has it.
+  explicit FolderLock(const std::string& path);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int descriptor_;
+};
+
 }  // namespace repose

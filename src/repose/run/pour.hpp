@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/archive.hpp"
 #include "repose/core/grains.hpp"
 #include "repose/scene/scene.hpp"
 
@@ -26,6 +27,12 @@ class Pour {
   /// Releases the grain that is due now, if there is room for it; true if it was. Where there is none it is due again
   /// after a short wait.
   bool release(Grains<2>& grains, long step);
+
+  void exchange(Archive& archive) {
+    archive.value("source/released", released_);
+    archive.value("source/retry", retry_);
+    archive.value("source/tries", tries_);
+  }
 
   /// Time for which the next grain has been waiting for room [T].
   double waiting(long step) const;

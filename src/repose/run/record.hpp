@@ -30,8 +30,7 @@ struct SeriesRow {
   double kinetic_energy_per_grain = 0.0;  ///< [M L^2/T^2]
   double force_residual = 0.0;            ///< see analysis/force_network.hpp
   double max_overlap = 0.0;               ///< over the mean diameter of the pair
-  std::vector<WallRow> walls;
-  Energy energy;  ///< all 0 unless the scene asks for the account
+  Energy energy{};                        ///< all 0 unless the scene asks for the account
 };
 
 enum class Status { running, finished, interrupted, failed };
@@ -61,6 +60,7 @@ struct Record {
   Grains<2> grains;  ///< by ascending id, positions brought into the periodic box
   Contacts<2> contacts;
   std::vector<SeriesRow> series;
+  std::vector<WallRow> walls;  ///< of each row of the series and each wall
   BaseProfile base;
   Track track;
 };

@@ -9,6 +9,7 @@
 #include "repose/io/state.hpp"
 #include "repose/run/setup.hpp"
 #include "repose/scene/read.hpp"
+#include "repose/scene/write.hpp"
 
 #include <fmt/format.h>
 
@@ -96,24 +97,20 @@ void write_walls(Hdf5File& file, const Scene& scene) {
   file.dataset("walls/opens_at", opens_at, 1, "T", "from then on the wall is not there; infinite: it stays");
 }
 
-void write_wall_series(Hdf5File& file, const std::vector<SeriesRow>& rows) {
-  const auto walls = rows.empty() ? 0 : rows.front().walls.size();
-  if (walls == 0) return;
+void write_wall_series(Hdf5File& file, const Record& record) {
+  if (record.walls.empty()) return;
+  const auto walls = record.walls.size() / record.series.size();
   std::vector<double> displacement;
   std::vector<double> force_x;
   std::vector<double> force_y;
-  for (const auto& row : rows) {
-    for (const auto& wall : row.walls) {
-      displacement.push_back(wall.displacement);
-      force_x.push_back(wall.force[0]);
-      force_y.push_back(wall.force[1]);
-    }
+  for (const auto& wall : record.walls) {
+    displacement.push_back(wall.displacement);
+    force_x.push_back(wall.force[0]);
+    force_y.push_back(wall.force[1]);
   }
-  file.dataset("series/wall_displacement", displacement, walls, "L", "of each wall along the direction of its motion");
-  file.dataset("series/wall_force_x", force_x, walls, "M L/T^2",
-               "of the grains on each wall, mean since the row before");
-  file.dataset("series/wall_force_y", force_y, walls, "M L/T^2",
-               "of the grains on each wall, mean since the row before");
+  file.table("series/wall_displacement", displacement, walls, "L", "of each wall along the direction of its motion");
+  file.table("series/wall_force_x", force_x, walls, "M L/T^2", "of the grains on each wall, mean since the row before");
+  file.table("series/wall_force_y", force_y, walls, "M L/T^2", "of the grains on each wall, mean since the row before");
 }
 
 /// Every entry of the account of the energy, by name.
@@ -201,20 +198,20 @@ std::vector<SeriesRow> read_series(const Hdf5Reader& file) {
       {time.size(), grains.size(), lost.size(), contacts.size(), energy.size(), residual.size(), overlap.size()});
   std::vector<SeriesRow> rows;
   for (std::size_t k = 0; k < time.size(); ++k) {
-    rows.push_back({time[k], grains[k], lost[k], contacts[k], energy[k], residual[k], overlap[k], {}, {}});
+    rows.push_back({time[k], grains[k], lost[k], contacts[k], energy[k], residual[k], overlap[k], {}});
   }
   return rows;
 }
 
-void read_wall_series(const Hdf5Reader& file, std::size_t walls, std::vector<SeriesRow>& rows) {
-  if (walls == 0 || rows.empty()) return;
-  const auto displacement = file.dataset<double>("series/wall_displacement", walls);
-  const auto force_x = file.dataset<double>("series/wall_force_x", walls);
-  const auto force_y = file.dataset<double>("series/wall_force_y", walls);
-  check_lengths(file, "series", {rows.size() * walls, displacement.size(), force_x.size(), force_y.size()});
-  for (std::size_t k = 0; k < displacement.size(); ++k) {
-    rows[k / walls].walls.push_back({displacement[k], {{force_x[k], force_y[k]}}});
-  }
+std::vector<WallRow> read_wall_series(const Hdf5Reader& file, std::size_t walls, std::size_t rows) {
+  std::vector<WallRow> found;
+  if (walls == 0 || rows == 0) return found;
+  const auto displacement = file.table<double>("series/wall_displacement", walls);
+  const auto force_x = file.table<double>("series/wall_force_x", walls);
+  const auto force_y = file.table<double>("series/wall_force_y", walls);
+  check_lengths(file, "series", {rows * walls, displacement.size(), force_x.size(), force_y.size()});
+  for (std::size_t k = 0; k < displacement.size(); ++k) found.push_back({displacement[k], {{force_x[k], force_y[k]}}});
+  return found;
 }
 
 void read_energy(const Hdf5Reader& file, std::vector<SeriesRow>& rows) {
@@ -236,33 +233,17 @@ void write_base(Hdf5File& file, const BaseProfile& base) {
   file.dataset("base/shear", base.shear, 1, "grain weights", "force of the heap, positive to the right");
 }
 
-Track read_track(const Hdf5Reader& file) {
-  Track track;
-  if (!file.has("track")) return track;
-  for (const auto& name : file.names_in("track")) {
-    const auto group = "track/" + name + "/";
-    if (!file.has("track/" + name)) throw InputError(fmt::format("{}: track/{}.h5 is missing", file.path(), name));
-    const auto time = file.dataset<double>(group + "time");
-    const auto offset = file.dataset<std::int64_t>(group + "offset");
-    const auto id = file.dataset<std::int64_t>(group + "id");
-    const auto position = file.dataset<float>(group + "position", 2);
-    const auto radius = file.dataset<float>(group + "radius");
-    const auto energy = file.dataset<float>(group + "kinetic_energy");
-    const auto in_heap = file.dataset<std::uint8_t>(group + "in_heap");
-    check_lengths(file, group, {id.size(), position.size() / 2, radius.size(), energy.size(), in_heap.size()});
-    const bool sound = offset.size() == time.size() + 1 && offset.front() == 0 &&
-                       offset.back() == static_cast<std::int64_t>(id.size()) &&
-                       std::is_sorted(offset.begin(), offset.end());
-    if (!sound) throw InputError(fmt::format("{}: {}: wrong offsets", file.path(), group));
-    for (std::size_t m = 0; m < time.size(); ++m) {
-      TrackMoment moment{time[m], {}};
-      for (auto k = static_cast<std::size_t>(offset[m]); k < static_cast<std::size_t>(offset[m + 1]); ++k) {
-        moment.grains.push_back({id[k], position[2 * k], position[2 * k + 1], radius[k], energy[k], in_heap[k] != 0});
-      }
-      track.push_back(std::move(moment));
-    }
-  }
-  return track;
+/// The scene that was run. Only its [analysis] may have been changed in scene.toml since then.
+Scene read_scene_of(const std::string& folder, const Hdf5Reader& file) {
+  const auto scene = read_scene(folder + "/scene.toml");
+  const auto kept = file.texts("scene");
+  auto run = read_scene_text(kept.empty() ? "" : kept.front(), file.path() + ": scene");
+  run.analysis = scene.analysis;
+  if (scene_text(run) == scene_text(scene)) return scene;
+  throw InputError(
+      fmt::format("{}/scene.toml: is not the scene that was run, but for [analysis], which may change: "
+                  "/scene of run.h5 has it",
+                  folder));
 }
 
 /// A damaged file may name grains that are not there; nothing behind this point looks again.
@@ -279,6 +260,31 @@ void check_partners(const Hdf5Reader& file, const Record& record) {
 }
 
 }  // namespace
+
+void read_track_segment(const std::string& path, Track& track) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) throw InputError(fmt::format("{}: is missing", path));
+  const Hdf5Reader file(path);
+  const auto time = file.dataset<double>("time");
+  const auto offset = file.dataset<std::int64_t>("offset");
+  const auto id = file.dataset<std::int64_t>("id");
+  const auto position = file.dataset<float>("position", 2);
+  const auto radius = file.dataset<float>("radius");
+  const auto energy = file.dataset<float>("kinetic_energy");
+  const auto in_heap = file.dataset<std::uint8_t>("in_heap");
+  check_lengths(file, "track", {id.size(), position.size() / 2, radius.size(), energy.size(), in_heap.size()});
+  const bool sound = offset.size() == time.size() + 1 && offset.front() == 0 &&
+                     offset.back() == static_cast<std::int64_t>(id.size()) &&
+                     std::is_sorted(offset.begin(), offset.end());
+  if (!sound) throw InputError(fmt::format("{}: wrong offsets", file.path()));
+  for (std::size_t m = 0; m < time.size(); ++m) {
+    TrackMoment moment{time[m], {}};
+    for (auto k = static_cast<std::size_t>(offset[m]); k < static_cast<std::size_t>(offset[m + 1]); ++k) {
+      moment.grains.push_back({id[k], position[2 * k], position[2 * k + 1], radius[k], energy[k], in_heap[k] != 0});
+    }
+    track.push_back(std::move(moment));
+  }
+}
 
 void write_track_segment(const std::string& path, const Track& track, std::size_t first) {
   std::vector<double> time;
@@ -315,11 +321,12 @@ void write_record(const std::string& path, const Record& record, const std::vect
                   const std::vector<std::string>& segments) {
   Hdf5File file(path);
   write_header(file, record.scene, record.facts);
+  file.texts("scene", {scene_text(record.scene)}, "the scene that was run, complete");
   write_grains(file, record.grains);
   write_contacts(file, record.contacts);
   write_walls(file, record.scene);
   write_series(file, record.series);
-  write_wall_series(file, record.series);
+  write_wall_series(file, record);
   if (record.scene.output.energy) write_energy(file, record.series);
   write_base(file, record.base);
   file.external_link("analysis", "analysis.h5", "/");
@@ -348,6 +355,22 @@ BaseProfile read_base(const Hdf5Reader& file) {
   return base;
 }
 
+namespace {
+
+void check_version(const Hdf5Reader& file) {
+  if (file.text("/", "format") != "repose-run" || file.integer("/", "format_version") != format_version) {
+    throw InputError(fmt::format("{}: not a run of this version of Repose", file.path()));
+  }
+}
+
+}  // namespace
+
+RunFacts read_run_facts(const std::string& folder) {
+  const Hdf5Reader file(folder + "/run.h5");
+  check_version(file);
+  return read_facts(file);
+}
+
 Record read_record(const std::string& folder) {
   std::error_code error;
   if (!std::filesystem::is_directory(folder, error)) throw InputError(fmt::format("{}: no such folder", folder));
@@ -357,20 +380,22 @@ Record read_record(const std::string& folder) {
     }
   }
   Record record;
-  record.scene = read_scene(folder + "/scene.toml");
   const Hdf5Reader file(folder + "/run.h5");
-  if (file.text("/", "format") != "repose-run" || file.integer("/", "format_version") != format_version) {
-    throw InputError(fmt::format("{}: not a run of this version of Repose", file.path()));
-  }
+  check_version(file);
+  record.scene = read_scene_of(folder, file);
   record.facts = read_facts(file);
   record.grains = read_grains<2>(file);
   record.contacts = read_contacts<2>(file);
   check_partners(file, record);
   record.series = read_series(file);
-  read_wall_series(file, make_walls(record.scene).size(), record.series);
+  record.walls = read_wall_series(file, make_walls(record.scene).size(), record.series.size());
   if (record.scene.output.energy) read_energy(file, record.series);
   record.base = read_base(file);
-  record.track = read_track(file);
+  if (file.has("track")) {
+    for (const auto& name : file.names_in("track")) {
+      read_track_segment(fmt::format("{}/track/{}.h5", folder, name), record.track);
+    }
+  }
   return record;
 }
 

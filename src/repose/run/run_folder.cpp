@@ -22,7 +22,7 @@ namespace repose {
 namespace {
 
 constexpr const char* own_files[] = {"scene.toml", "run.h5", "analysis.h5", "summary.json"};
-constexpr const char* own_folders[] = {"frames", "track", "pictures"};
+constexpr const char* own_folders[] = {"frames", "track", "checkpoints", "pictures"};
 
 bool holds_a_run(const fs::path& path) { return is_there(path / "scene.toml") && is_there(path / "run.h5"); }
 
@@ -48,6 +48,7 @@ RunFolder::RunFolder(std::string path, const Simulation& simulation) : path_(std
   std::error_code error;
   fs::create_directories(path_, error);
   if (error) throw InputError(fmt::format("{}: cannot make the folder: {}", path_, error.message()));
+  lock_ = std::make_unique<FolderLock>(path_);
   // The new start is written beside an older run, which goes only when nothing can fail any more.
   const std::string beside = path_ + "/new";
   const std::string target = path_;
@@ -69,11 +70,36 @@ RunFolder::RunFolder(std::string path, const Simulation& simulation) : path_(std
   }
 }
 
+RunFolder::RunFolder(std::string path, const Checkpoint& checkpoint, Simulation& simulation)
+    : path_(std::move(path)), lock_(std::make_unique<FolderLock>(path_)) {
+  const auto state = checkpoint.restore(simulation);
+  for (std::size_t k = 0; k < state.frames; ++k) frames_.push_back(numbered(k));
+  for (std::size_t k = 0; k < state.segments; ++k) segments_.push_back(numbered(k));
+  moments_written_ = state.moments;
+  next_slot_ = 1 - checkpoint.slot();
+}
+
+void RunFolder::pause(Simulation& simulation, bool last) {
+  constexpr double least_between = 100.0;  // times what a checkpoint costs, so that it costs less than 1 %
+  const double interval = simulation.scene().output.checkpoint;
+  const auto seconds_since = [](Clock::time_point time) {
+    return std::chrono::duration<double>(Clock::now() - time).count();
+  };
+  const double passed = seconds_since(last_pause_);
+  const bool due = interval > 0.0 && passed >= interval && passed >= least_between * cost_;
+  if (!due && !last) return;
+  const auto start = Clock::now();
+  write_checkpoint(path_, next_slot_, simulation, {frames_.size(), segments_.size(), moments_written_});
+  next_slot_ = 1 - next_slot_;
+  last_pause_ = Clock::now();
+  cost_ = seconds_since(start);
+}
+
 void RunFolder::write(const Simulation& simulation, bool frame) {
   std::error_code error;
   if (simulation.track().size() > moments_written_) {
     fs::create_directories(path_ + "/track", error);
-    const auto name = fmt::format("{:06}", segments_.size());
+    const auto name = numbered(segments_.size());
     write_track_segment(fmt::format("{}/track/{}.h5", path_, name), simulation.track(), moments_written_);
     moments_written_ = simulation.track().size();
     segments_.push_back(name);
@@ -81,7 +107,7 @@ void RunFolder::write(const Simulation& simulation, bool frame) {
   const auto record = simulation.record();
   if (frame) {
     fs::create_directories(path_ + "/frames", error);
-    const auto name = fmt::format("{:06}", frames_.size());
+    const auto name = numbered(frames_.size());
     Hdf5File file(fmt::format("{}/frames/{}.h5", path_, name));
     file.attribute("/", "time", record.facts.time);
     file.attribute("/", "steps", record.facts.steps);
@@ -91,6 +117,7 @@ void RunFolder::write(const Simulation& simulation, bool frame) {
     frames_.push_back(name);
   }
   write_run(record);
+  if (simulation.status() == Status::finished || simulation.status() == Status::failed) remove_checkpoints(path_);
 }
 
 void RunFolder::write_run(const Record& record) {

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/run/checkpoint.hpp"
+#include "repose/run/folders.hpp"
 #include "repose/run/reading.hpp"
 #include "repose/run/simulation.hpp"
 
+#include <chrono>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,6 +24,13 @@ class RunFolder {
   /// InputError if that fails, and then leaves no half-written folder.
   RunFolder(std::string path, const Simulation& simulation);
 
+  /// Takes up an older run where its checkpoint left it: `simulation` is given the state back.
+  RunFolder(std::string path, const Checkpoint& checkpoint, Simulation& simulation);
+
+  /// Writes a checkpoint if one is due, by wall time, or if the run is interrupted. Throws RunError; an older
+  /// checkpoint stays.
+  void pause(Simulation& simulation, bool last);
+
   /// Writes the present state, what the analysis says of it, and a frame if asked. Throws RunError; what was there
   /// before stays.
   void write(const Simulation& simulation, bool frame);
@@ -29,10 +40,16 @@ class RunFolder {
  private:
   void write_run(const Record& record);
 
+  using Clock = std::chrono::steady_clock;
+
   std::string path_;
+  std::unique_ptr<FolderLock> lock_;
   std::vector<std::string> frames_;
   std::vector<std::string> segments_;  // of the track
   std::size_t moments_written_ = 0;
+  int next_slot_ = 0;  // of the next checkpoint
+  Clock::time_point last_pause_ = Clock::now();
+  double cost_ = 0.0;  // [s] of the last checkpoint
 };
 
 /// Writes what the analysis says, analysis.h5 and then summary.json, into a run folder. Throws RunError.

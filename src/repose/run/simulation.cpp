@@ -51,7 +51,7 @@ long Simulation::observations_in(double time) const {
 }
 
 double Simulation::wall_seconds() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+  return earlier_seconds_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
 }
 
 std::int64_t Simulation::grains_lost() const {
@@ -78,14 +78,55 @@ void Simulation::release_due_grains() {
   moving_ = moving_count(grains_);
 }
 
-void Simulation::run(const Hooks& hooks, const std::atomic<bool>& interrupt) {
-  started_ = std::chrono::steady_clock::now();
+void Simulation::begin() {
   release_due_grains();
   apply_due_loads();
   method_->refresh(grains_, team_);
   if (const auto start = contacts(); max_overlap(start) > largest_overlap) {
     stop(Status::failed, describe_trouble(start));
   }
+}
+
+void Simulation::exchange(Archive& archive) {
+  double seconds = wall_seconds();
+  archive.value("run/step", step_);
+  archive.value("run/grain_steps", grain_steps_);
+  archive.value("run/moving", moving_);
+  archive.value("run/wall_seconds", seconds);
+  archive.value("run/loads_begun", loads_begun_);
+  archive.array("run/loads", loads_);
+  archive.array("run/series", series_);
+  archive.array("run/walls", walls_);
+  std::vector<double> times;
+  std::vector<Vec<2>> impulses;
+  for (const auto& stretch : window_) {
+    times.insert(times.end(), {stretch.start, stretch.end});
+    impulses.insert(impulses.end(), stretch.impulse.begin(), stretch.impulse.end());
+  }
+  archive.array("run/window_times", times);
+  archive.array("run/window_impulses", impulses);
+  pour_.exchange(archive);
+  grains_.exchange(archive);
+  method_->exchange(archive);
+  if (!archive.restoring()) return;
+  earlier_seconds_ = seconds;
+  window_.clear();
+  for (std::size_t k = 0; 2 * k + 1 < times.size(); ++k) {
+    const auto begin = impulses.begin() + static_cast<std::ptrdiff_t>(k * fixed_ids_.size());
+    window_.push_back(
+        {times[2 * k], times[2 * k + 1], {begin, begin + static_cast<std::ptrdiff_t>(fixed_ids_.size())}});
+  }
+}
+
+void Simulation::restored(Track track) {
+  track_ = std::move(track);
+  method_->restored(grains_, team_);
+  restored_ = true;
+}
+
+void Simulation::run(const Hooks& hooks, const std::atomic<bool>& interrupt) {
+  started_ = std::chrono::steady_clock::now();
+  if (!restored_) begin();
   while (status_ == Status::running) {
     const auto report = method_->advance(grains_, next_stop() - step_, team_);
     step_ += report.steps;
@@ -99,11 +140,12 @@ void Simulation::run(const Hooks& hooks, const std::atomic<bool>& interrupt) {
     if (status_ == Status::running && out_of_time) {
       stop(Status::finished, fmt::format("reached stop.time = {}", *scene_.stop.time));
     }
-    if (status_ == Status::running && interrupt) stop(Status::interrupted, "interrupted");
-    if (status_ == Status::running) {
-      release_due_grains();
-      apply_due_loads();
-    }
+    if (status_ != Status::running) break;
+    release_due_grains();
+    apply_due_loads();
+    const bool last = interrupt;
+    if (hooks.pause) hooks.pause(*this, last);
+    if (last) stop(Status::interrupted, "interrupted");
   }
 }
 
@@ -124,7 +166,7 @@ void Simulation::observe(const Hooks& hooks) {
   row.force_residual = force_residual(grains_, contacts, Vec<2>{{0.0, -scene_.gravity}});
   row.max_overlap = max_overlap(contacts);
   row.lost = grains_lost();
-  row.walls = wall_rows();
+  record_walls();
   if (scene_.output.energy) row.energy = method_->energy(grains_);
   series_.push_back(row);
   if (track_every_ > 0 && step_ / observe_every_ % track_every_ == 0) record_track(contacts);
@@ -145,14 +187,12 @@ void Simulation::observe(const Hooks& hooks) {
     hooks.frame(*this);
 }
 
-std::vector<WallRow> Simulation::wall_rows() {
+void Simulation::record_walls() {
   const auto impulses = method_->taken_wall_impulses();
   const double duration = time() - (series_.empty() ? 0.0 : series_.back().time);
-  std::vector<WallRow> rows;
   for (std::size_t w = 0; w < impulses.size(); ++w) {
-    rows.push_back({method_->walls()[w].displacement, impulses[w] * (1.0 / duration)});
+    walls_.push_back({method_->walls()[w].displacement, impulses[w] * (1.0 / duration)});
   }
-  return rows;
 }
 
 void Simulation::apply_due_loads() {
@@ -241,6 +281,7 @@ Record Simulation::record() const {
   const auto box = make_box(scene_);
   for (auto& grain : record.grains.line) grain.position = box.wrapped(grain.position);
   record.series = series_;
+  record.walls = walls_;
   record.base = base_profile();
   record.track = track_;
   return record;

@@ -30,10 +30,17 @@ class Simulation {
   struct Hooks {
     std::function<void(const Simulation&)> observed;
     std::function<void(const Simulation&)> frame;
+    std::function<void(Simulation&, bool last)> pause;  ///< the state may be kept now; `last`: the run is interrupted
   };
 
   /// Runs until a stop of the scene, trouble, or `interrupt` becomes true.
   void run(const Hooks& hooks, const std::atomic<bool>& interrupt);
+
+  /// All that changes while it runs but the track, for a checkpoint; a simulation of the same scene can be given it.
+  void exchange(Archive& archive);
+
+  /// To be called after `exchange` has given the state back.
+  void restored(Track track);
 
   const Scene& scene() const { return scene_; }
   const Grains<2>& grains() const { return grains_; }
@@ -60,12 +67,13 @@ class Simulation {
     std::vector<Vec<2>> impulse;  // per fixed grain, by id order
   };
 
+  void begin();
   long observations_in(double time) const;
   long next_stop() const;
   void release_due_grains();
   void observe(const Hooks& hooks);
   void record_reactions();
-  std::vector<WallRow> wall_rows();
+  void record_walls();
   void apply_due_loads();
   std::int64_t nearest_grain(const Vec<2>& place) const;
   void record_track(const Contacts<2>& contacts);
@@ -95,9 +103,12 @@ class Simulation {
   std::size_t moving_ = 0;
   std::deque<Stretch> window_;
   std::vector<SeriesRow> series_;
+  std::vector<WallRow> walls_;  // per row of the series and wall
   Track track_;
   Status status_ = Status::running;
   std::string message_;
+  double earlier_seconds_ = 0.0;  // of wall time, before the run was taken up again
+  bool restored_ = false;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };
 

@@ -4,6 +4,8 @@
 
 #include "repose/analysis/statistics.hpp"
 #include "repose/core/version.hpp"
+#include "repose/io/hash.hpp"
+#include "repose/io/state.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -95,6 +97,19 @@ Json bursts_json(const Motion& motion) {
 
 }  // namespace
 
+namespace {
+
+/// Whether a summary is what was written, by its last key.
+bool is_whole(Json json) {
+  const auto checksum = json.find("checksum");
+  if (checksum == json.end()) return false;
+  const Json kept = *checksum;
+  json.erase("checksum");
+  return kept == hash_of(json.dump());
+}
+
+}  // namespace
+
 std::string summary_text(const Record& record, const Reading& reading) {
   const auto& scene = record.scene;
   const auto& facts = record.facts;
@@ -140,12 +155,14 @@ std::string summary_text(const Record& record, const Reading& reading) {
   json["base_scatter"] = number(reading.base_scatter);
   json["weight_error"] = number(reading.weight_error);
   json["field_weight_error"] = number(reading.field_weight_error);
+  json["state_hash"] = state_hash(record.grains, record.contacts);
+  json["checksum"] = hash_of(json.dump());
   return json.dump(2) + "\n";
 }
 
 std::string summary_status(const std::string& text) {
   const auto json = Json::parse(text, nullptr, false);
-  return json.is_object() ? json.value("status", std::string()) : std::string();
+  return json.is_object() && is_whole(json) ? json.value("status", std::string()) : std::string();
 }
 
 }  // namespace repose

@@ -6,6 +6,7 @@
 #include "repose/run/expectation.hpp"
 #include "repose/run/run_folder.hpp"
 #include "repose/run/simulation.hpp"
+#include "repose/scene/write.hpp"
 
 #include <fmt/format.h>
 #include <signal.h>
@@ -39,6 +40,17 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 void keep(char* place, std::size_t room, const std::string& text) {
   std::strncpy(place, text.c_str(), room - 1);
   place[room - 1] = '\0';
+}
+
+/// The folder of a member: taken up where its last checkpoint left it if it was cut off, or else new.
+std::unique_ptr<RunFolder> member_run(const std::string& path, Simulation& simulation) {
+  std::vector<std::string> damaged;
+  const auto checkpoint = Checkpoint::latest(path, damaged);
+  if (checkpoint && checkpoint->scene() == scene_text(simulation.scene())) {
+    return std::make_unique<RunFolder>(path, *checkpoint, simulation);
+  }
+  std::filesystem::remove_all(path);
+  return std::make_unique<RunFolder>(path, simulation);
 }
 
 }  // namespace
@@ -104,17 +116,17 @@ void Sweep::be_member(std::size_t member, Shared& shared) const {
   try {
     const auto& what = folder_.members()[member];
     const auto path = folder_.member_path(what);
-    std::filesystem::remove_all(path);  // of a run that was cut off
     Simulation simulation(folder_.scene_of(what), 1);
-    RunFolder run(path, simulation);
+    const auto run = member_run(path, simulation);
     Simulation::Hooks hooks;
     hooks.observed = [&](const Simulation& s) {
       shared.share = std::clamp(s.grain_steps() / std::max(work_[member], 1.0), 0.0, 0.999);
     };
-    hooks.frame = [&](const Simulation& s) { run.write(s, true); };
+    hooks.frame = [&](const Simulation& s) { run->write(s, true); };
+    hooks.pause = [&](Simulation& s, bool last) { run->pause(s, last); };
     const std::atomic<bool> never{false};
     simulation.run(hooks, never);
-    run.write(simulation, false);
+    run->write(simulation, false);
     if (simulation.status() == Status::failed) {
       keep(shared.message, sizeof shared.message, simulation.message());
     } else {

@@ -84,6 +84,13 @@ void check_boundaries(const Scene& scene, Reader& reader) {
   for (std::size_t k = 0; k < scene.planes.size(); ++k) {
     const auto prefix = fmt::format("plane[{}].", k);
     check_direction(prefix + "normal", scene.planes[k].normal, reader);
+    const auto& normal = scene.planes[k].normal;
+    if (scene.box.x == "periodic" && std::fabs(normal[0]) > 1e-12 * std::fabs(normal[1]) &&
+        reader.sound(prefix + "normal")) {
+      reader.problem(prefix + "normal", fmt::format(" = [{}, {}]: a plane must be level in a periodic box; a [[wall]] "
+                                                    "need not be",
+                                                    normal[0], normal[1]));
+    }
     check_motion(prefix, scene.planes[k], scene, reader);
   }
   for (std::size_t k = 0; k < scene.pieces.size(); ++k) {

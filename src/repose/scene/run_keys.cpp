@@ -19,6 +19,8 @@ void run_keys(Scene& scene, Keys& keys) {
               "at the end, over which base forces are averaged");
   keys.number("output.track", scene.output.track, 0.0, not_negative, "T",
               "between moments at which the place of every grain is kept, for avalanches; 0: none");
+  keys.number("output.checkpoint", scene.output.checkpoint, 60.0, not_negative, "s of wall time",
+              "between checkpoints, from which a run that was cut off goes on; 0: only when it is interrupted");
   keys.flag("output.energy", scene.output.energy, false,
             "keep account of the energy, a series of its own; in a slower kernel that gives the same bits");
   keys.number("analysis.bin_width", scene.analysis.bin_width, 2.0 * d, positive, "L", "of the surface profile");

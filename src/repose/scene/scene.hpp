@@ -105,11 +105,12 @@ struct Scene {
   } stop;
 
   struct Output {
-    double series = 0.0;  ///< [T] between two rows of the time series
-    double frames = 0.0;  ///< [T] between two saved frames; 0: none
-    double window = 0.0;  ///< [T] over which base forces are averaged
-    double track = 0.0;   ///< [T] between two moments of the track; 0: none
-    bool energy = false;  ///< keep account of the energy
+    double series = 0.0;      ///< [T] between two rows of the time series
+    double frames = 0.0;      ///< [T] between two saved frames; 0: none
+    double window = 0.0;      ///< [T] over which base forces are averaged
+    double track = 0.0;       ///< [T] between two moments of the track; 0: none
+    double checkpoint = 0.0;  ///< [s] of wall time between checkpoints; 0: only when interrupted
+    bool energy = false;      ///< keep account of the energy
   } output;
 
   struct Analysis {

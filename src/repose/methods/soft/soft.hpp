@@ -28,7 +28,8 @@ class Soft final : public Method<D> {
         settings_(std::move(settings)),
         pairs_(PairReach{widest_reach(), settings_.skin, look_ahead_steps * settings_.time_step,
                          magnitude(settings_.gravity), Full}),
-        walls_(settings_.walls.size()) {
+        walls_(settings_.walls.size()),
+        wall_list_(settings_.walls.size()) {
     REPOSE_ASSERT(Full || !settings_.audit);
   }
 
@@ -100,6 +101,24 @@ class Soft final : public Method<D> {
   std::vector<Vec<D>> taken_wall_impulses() override { return wall_list_.taken_impulses(walls_.size()); }
   Energy energy(const Grains<D>& grains) const override;
 
+  void exchange(Archive& archive) override {
+    archive.value("step", step_);
+    archive.array("walls/state", walls_);
+    archive.array("walls/at_build", walls_at_build_);
+    archive.array("loads/list", loads_);
+    archive.array("loads/work", load_work_);
+    archive.value("energy/account", energy_);
+    archive.array("energy/work", work_);
+    archive.value("energy/elastic_at_start", elastic_at_start_);
+    archive.value("energy/known", known_);
+    pairs_.exchange(archive);
+    wall_list_.exchange(archive);
+  }
+
+  void restored(const Grains<D>& grains, const Team& team) override {
+    if (pairs_.valid()) share_out(grains, team);
+  }
+
   const PairList<D>& pairs() const { return pairs_; }
 
  private:
@@ -140,6 +159,19 @@ class Soft final : public Method<D> {
     const auto now = walls_now();
     wall_list_.build(grains, order, settings_.walls, now, settings_.box, pairs_, widest_reach(), settings_.skin);
     walls_at_build_ = walls_;
+    share_out(grains, team);
+    if (settings_.audit && step_ == 0) {
+      Energy start;
+      add_elastic(start, grains);
+      const double pressed = start.elastic + start.dissipated();  // less what springs of friction would store at once
+      energy_.sources += pressed - elastic_at_start_;
+      elastic_at_start_ = pressed;
+    }
+  }
+
+  /// Deals the present list out among the members of the team.
+  void share_out(const Grains<D>& grains, const Team& team) {
+    const auto now = walls_now();
     find_loaded(grains);
     shares_ = soft::make_shares<D, Full>(pairs_, grains.size(), team.size());
     for (auto& share : shares_) {
@@ -149,13 +181,6 @@ class Soft final : public Method<D> {
         if (is_special(grains, i)) share.special.push_back(i);
       }
       share.special.push_back(std::numeric_limits<std::uint32_t>::max());
-    }
-    if (settings_.audit && step_ == 0) {
-      Energy start;
-      add_elastic(start, grains);
-      const double pressed = start.elastic + start.dissipated();  // less what springs of friction would store at once
-      energy_.sources += pressed - elastic_at_start_;
-      elastic_at_start_ = pressed;
     }
     smallest_radius_ = std::numeric_limits<double>::infinity();
     for (const auto& grain : grains.line) smallest_radius_ = std::min(smallest_radius_, grain.radius);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "repose/boundaries/wall.hpp"
+#include "repose/core/archive.hpp"
 #include "repose/core/box.hpp"
 #include "repose/core/grains.hpp"
 #include "repose/neighbours/pair_list.hpp"
@@ -32,6 +33,8 @@ class WallList {
   std::vector<WallPair<D>> pairs;
   std::vector<std::vector<std::uint32_t>> of_wall;  ///< places in `pairs`, ascending, for each wall
 
+  explicit WallList(std::size_t walls) : of_wall(walls) {}
+
   bool any() const { return !row_start.empty(); }
 
   /// Lists anew. `order` says where each grain was when the list was last built; `cutoff` is the longest reach of a
@@ -59,6 +62,17 @@ class WallList {
         pairs.push_back(old_pair(old_start, old, order[i], w));
       }
       row_start.push_back(static_cast<std::uint32_t>(pairs.size()));
+    }
+  }
+
+  void exchange(Archive& archive) {
+    archive.array("walls/row_start", row_start);
+    archive.array("walls/pairs", pairs);
+    archive.array("walls/impulse", impulse_);
+    if (!archive.restoring()) return;
+    for (auto& list : of_wall) list.clear();
+    for (std::uint32_t k = 0; k < pairs.size(); ++k) {
+      of_wall.at(pairs[k].wall).push_back(k);
     }
   }
 

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/cli/carry_out.hpp"
+
+#include "repose/cli/commands.hpp"
+#include "repose/cli/describe.hpp"
+#include "repose/cli/progress.hpp"
+#include "repose/cli/signals.hpp"
+#include "repose/core/errors.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+
+namespace repose {
+
+void add_threads(CLI::App& command, int& threads) {
+  command.add_option("--threads", threads, "Threads; the results do not depend on it (default: as useful)")
+      ->check(CLI::Range(1, 1024));
+}
+
+int threads_for(const Scene& scene, int wanted) {
+  if (wanted > 0) return wanted;
+  constexpr std::int64_t grains_per_thread = 2000;
+  const auto grains = scene.source.count + static_cast<std::int64_t>(scene.placed.size());
+  const auto useful = std::max<std::int64_t>(1, grains / grains_per_thread);
+  return static_cast<int>(std::min<std::int64_t>(useful, std::max(1U, std::thread::hardware_concurrency())));
+}
+
+int carry_out(Simulation& simulation, RunFolder& folder, bool quiet) {
+  catch_signals();
+  Progress progress(simulation.scene(), !quiet);
+  Simulation::Hooks hooks;
+  hooks.observed = [&](const Simulation& s) { progress.update(s); };
+  hooks.frame = [&](const Simulation& s) { folder.write(s, true); };
+  hooks.pause = [&](Simulation& s, bool last) { folder.pause(s, last); };
+  simulation.run(hooks, interrupted);
+  progress.finish();
+  folder.write(simulation, false);
+  if (simulation.status() == Status::failed) throw RunError(simulation.message());
+  const bool stopped = simulation.status() == Status::interrupted;
+  if (!quiet) {
+    const auto record = simulation.record();
+    fmt::print("{}", describe_result(record, read(record)));
+    if (stopped) fmt::print("to go on         repose resume {}\n", folder.path());
+  }
+  return stopped ? exit_interrupted : 0;
+}
+
+}  // namespace repose

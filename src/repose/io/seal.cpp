@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/io/seal.hpp"
+
+#include "repose/core/errors.hpp"
+#include "repose/io/hash.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <vector>
+
+namespace repose {
+
+namespace {
+
+/// The seal that the content of a file asks for; "" if it cannot be read.
+std::string wanted_seal(std::istream& file) {
+  file.seekg(seal_size);
+  Hash hash;
+  std::size_t length = seal_size;
+  std::vector<char> piece(1U << 20);
+  while (file) {
+    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    const auto size = static_cast<std::size_t>(file.gcount());
+    hash.add(piece.data(), size);
+    length += size;
+  }
+  if (file.bad()) return "";
+  file.clear();
+  std::string text = fmt::format("repose sealed file\nlength {}\nxxh3-128 {}\n", length, hash.text());
+  text.resize(seal_size, '\0');
+  return text;
+}
+
+}  // namespace
+
+void seal(const std::string& path) {
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  const auto text = wanted_seal(file);
+  file.seekp(0);
+  file.write(text.data(), static_cast<std::streamsize>(text.size()));
+  file.close();
+  if (text.empty() || !file) throw RunError(fmt::format("{}: cannot write: no seal", path));
+}
+
+std::string broken_seal(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return "cannot be read";
+  std::string found(seal_size, '\0');
+  file.read(found.data(), static_cast<std::streamsize>(found.size()));
+  if (static_cast<std::size_t>(file.gcount()) < seal_size) return "damaged: too short";
+  if (found.rfind("repose sealed file\n", 0) != 0) return "damaged, or not written by this version of Repose";
+  const auto wanted = wanted_seal(file);
+  if (wanted == found) return "";
+  const auto length = [](const std::string& text) { return text.substr(0, text.find("xxh3")); };
+  return length(wanted) == length(found) ? "damaged: its content is not what was written"
+                                         : "damaged: its length is not what was written";
+}
+
+}  // namespace repose

@@ -1,0 +1,335 @@
+# SPDX-FileCopyrightText: 2026 The Repose developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs that are interrupted, killed or damaged and go on: the same bits as if nothing had happened."""
+
+import json
+import os
+import random
+import re
+import shutil
+import signal
+import subprocess
+import time
+
+import pytest
+from conftest import PROGRAM, datasets, summary, text_attribute
+
+KILLS = int(os.environ.get("REPOSE_KILLS", "2"))
+PARTS = int(os.environ.get("REPOSE_PARTS", "5"))  # of a file, at the end of each of which it is cut or changed
+
+# A heap with all that a run can have: poured grains of many sizes, frames, a track, a moving wall, a load, the account
+# of the energy. About two seconds of computing, with a checkpoint as often as their cost allows.
+SCENE = """[grains]
+polydispersity = 0.3
+[contact]
+normal = { law = "hooke", stiffness = 2e4 }
+tangential = { law = "linear", stiffness = 1e4, damping = 0.1 }
+[base]
+kind = "row"
+half_width = 20
+[[plane]]
+name = "pusher"
+point = [-18.0, 0.0]
+normal = [1.0, 0.0]
+motion = "spring"
+stiffness = 20.0
+velocity = [0.02, 0.0]
+mass = 30.0
+[[load]]
+position = [0.0, 10.0]
+force = [0.5, -1.0]
+start = 40.0
+[source]
+kind = "pour"
+count = 350
+rate = 5.0
+height = 15
+half_width = 4
+[stop]
+time = 240
+[output]
+frames = 30
+track = 2
+checkpoint = 1e-3
+energy = true
+"""
+PERIODIC = SCENE.replace("[[plane]]", "[[wall]]").replace(
+    "point = [-18.0, 0.0]\nnormal = [1.0, 0.0]", "from = [-18.0, 0.6]\nto = [-18.0, 9.0]").replace("half_width = 20\n", "half_width = 20\n[box]\nx = \"periodic\"\n").replace("energy = true\n", "")
+
+
+def comparable(folder):
+    """All numbers of a run folder but those that tell of the machine."""
+    everything = {f"run{name}": value.tobytes() for name, value in datasets(folder / "run.h5").items()}
+    numbers = summary(folder)
+    for name in ("wall_seconds", "grain_steps_per_second", "threads", "checksum"):
+        del numbers[name]
+    return everything, numbers
+
+
+def assert_same_run(first, second):
+    (a, numbers_a), (b, numbers_b) = comparable(first), comparable(second)
+    assert sorted(a) == sorted(b)
+    assert [name for name in a if a[name] != b[name]] == []
+    assert numbers_a == numbers_b
+
+
+def started(lab, out, *options):
+    lab.scene(lab.text)
+    return subprocess.Popen([PROGRAM, "run", "scene.toml", "--out", out, "--quiet", *options], cwd=lab.path,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+def resumed(lab, out, *options, expect=0):
+    result = lab("resume", out, "--quiet", *options, timeout=60)
+    assert result.returncode == expect, result.stderr
+    return result
+
+
+def wait_for_checkpoint(folder, seconds=20):
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        if (folder / "checkpoints/1.h5").exists():
+            return
+        time.sleep(0.002)
+    pytest.fail("no checkpoint")
+
+
+@pytest.fixture(scope="module", params=["open", "periodic"])
+def undisturbed(request, tmp_path_factory):
+    from conftest import Laboratory
+
+    lab = Laboratory(tmp_path_factory.mktemp("undisturbed"))
+    text = SCENE if request.param == "open" else PERIODIC
+    start = time.monotonic()
+    lab.run(text, out="whole")
+    lab.text, lab.seconds = text, time.monotonic() - start
+    return lab
+
+
+def test_checkpoints_change_nothing_and_go_when_the_run_is_finished(undisturbed):
+    lab = undisturbed
+    assert not (lab.path / "whole/checkpoints").exists()
+    without = lab.run(lab.text.replace("checkpoint = 1e-3", "checkpoint = 0"), out="without")
+    a, b = comparable(lab.path / "whole"), comparable(without)
+    assert a[0].pop("run/scene") != b[0].pop("run/scene")
+    assert a == b
+
+
+@pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
+def test_goes_on_bit_for_bit(undisturbed, how):
+    lab = undisturbed
+    out = lab.path / f"cut{int(how)}"
+    process = started(lab, out)
+    wait_for_checkpoint(out)
+    time.sleep(0.3 * lab.seconds)
+    process.send_signal(how)
+    process.communicate(timeout=30)
+    assert process.returncode == (-9 if how == signal.SIGKILL else 130)
+    if how != signal.SIGKILL:
+        assert text_attribute(out / "run.h5", "status") == "interrupted"
+    resumed(lab, out, "--threads", "3")
+    assert_same_run(lab.path / "whole", out)
+    assert not (out / "checkpoints").exists()
+
+
+def test_interrupted_again_and_again(undisturbed):
+    lab = undisturbed
+    out = lab.path / "again"
+    process = started(lab, out, "--threads", "2")
+    for _ in range(6):
+        time.sleep(0.15 * lab.seconds + 0.1)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=30)
+        if process.returncode == 0:
+            break
+        process = subprocess.Popen([PROGRAM, "resume", str(out), "--quiet"], stderr=subprocess.PIPE, text=True)
+    assert process.wait(timeout=60) in (0, 130)
+    resumed(lab, out)
+    assert_same_run(lab.path / "whole", out)
+
+
+def test_kills_at_random_moments(undisturbed):
+    """Each kill leaves a folder that the analysis can read and that goes on; the end is that of the undisturbed run."""
+    lab = undisturbed
+    moments = random.Random(7)
+    for k in range(KILLS):
+        out = lab.path / f"killed{k}"
+        process = started(lab, out)
+        while not (out / "run.h5").exists():
+            time.sleep(0.002)
+        time.sleep(moments.uniform(0.0, 1.2 * lab.seconds))
+        process.kill()
+        process.wait()
+        looked_at = lab("analyse", out, "--quiet")
+        assert looked_at.returncode == 0, looked_at.stderr
+        resumed(lab, out)
+        assert_same_run(lab.path / "whole", out)
+        shutil.rmtree(out)
+
+
+def test_a_kill_before_the_first_checkpoint_starts_anew(undisturbed):
+    lab = undisturbed
+    text = lab.text.replace("checkpoint = 1e-3", "checkpoint = 1000")
+    usual, lab.text = lab.text, text
+    process = started(lab, "early")
+    lab.text = usual
+    while not (lab.path / "early/frames/000001.h5").exists():
+        time.sleep(0.002)
+    process.kill()
+    process.wait()
+    assert not (lab.path / "early/checkpoints").exists()
+    resumed(lab, "early")
+    a, b = comparable(lab.path / "whole"), comparable(lab.path / "early")
+    assert a[0].pop("run/scene") != b[0].pop("run/scene")
+    assert a == b
+
+
+def test_a_finished_run_stays_as_it_is(undisturbed):
+    lab = undisturbed
+    before = {path: path.read_bytes() for path in (lab.path / "whole").rglob("*") if path.is_file()}
+    result = lab("resume", "whole")
+    assert result.returncode == 0 and "finished" in result.stdout
+    assert before == {path: path.read_bytes() for path in (lab.path / "whole").rglob("*") if path.is_file()}
+
+
+def test_a_folder_in_use_is_refused(undisturbed):
+    lab = undisturbed
+    process = started(lab, "used")
+    wait_for_checkpoint(lab.path / "used")
+    try:
+        for arguments in (["resume", "used"], ["run", "scene.toml", "--out", "used", "--overwrite"]):
+            result = lab(*arguments)
+            assert result.returncode == 2 and "written here by another program" in result.stderr
+    finally:
+        process.kill()
+        process.wait()
+    resumed(lab, "used")
+    assert_same_run(lab.path / "whole", lab.path / "used")
+
+
+@pytest.fixture(scope="module")
+def interrupted(tmp_path_factory):
+    """A small run that was interrupted, with both checkpoints; and where it leads."""
+    from conftest import Laboratory
+
+    lab = Laboratory(tmp_path_factory.mktemp("interrupted"))
+    text = SCENE.replace("count = 350", "count = 60").replace("half_width = 12", "half_width = 8").replace(
+        "time = 120", "time = 60").replace("frames = 15", "frames = 30")
+    lab.text = text
+    lab.run(text, out="whole")
+    process = started(lab, "cut")
+    wait_for_checkpoint(lab.path / "cut")
+    process.send_signal(signal.SIGINT)
+    process.wait()
+    assert process.returncode == 130, "too late"
+    return lab
+
+
+def copy_of_cut(lab):
+    shutil.rmtree(lab.path / "copy", ignore_errors=True)
+    shutil.copytree(lab.path / "cut", lab.path / "copy")
+
+
+def damaged(content, part, cut):
+    """The content cut at the end of a part, or with the byte there changed."""
+    place = len(content) * part // PARTS
+    if cut:
+        return content[:place]
+    place = min(place, len(content) - 1)
+    return content[:place] + bytes([content[place] ^ 0x15]) + content[place + 1 :]
+
+
+def assert_clear(result):
+    """A line for each problem, which names the file."""
+    assert result.returncode in (1, 2), f"exit {result.returncode}: {result.stderr}"
+    lines = result.stderr.strip().splitlines()
+    assert lines and all(line.removeprefix("repose: ").startswith("copy/") for line in lines), result.stderr
+
+
+@pytest.mark.parametrize("cut", [True, False], ids=["cut", "changed"])
+def test_damaged_checkpoint_is_named_and_the_other_one_taken(interrupted, cut):
+    lab = interrupted
+    for slot in (0, 1):
+        for part in range(0, PARTS + (0 if cut else 1)):
+            copy_of_cut(lab)
+            path = lab.path / f"copy/checkpoints/{slot}.h5"
+            path.write_bytes(damaged(path.read_bytes(), part, cut))
+            result = resumed(lab, "copy")
+            assert re.search(rf"checkpoints/{slot}.h5: damaged.*going on from the other", result.stderr), result.stderr
+            assert_same_run(lab.path / "whole", lab.path / "copy")
+
+
+def test_both_checkpoints_damaged(interrupted):
+    lab = interrupted
+    copy_of_cut(lab)
+    for slot in (0, 1):
+        path = lab.path / f"copy/checkpoints/{slot}.h5"
+        path.write_bytes(path.read_bytes()[:-1])
+    result = lab("resume", "copy")
+    assert result.returncode == 2 and len(result.stderr.strip().splitlines()) == 2, result.stderr
+
+
+@pytest.mark.parametrize("cut", [True, False], ids=["cut", "changed"])
+@pytest.mark.parametrize("name", ["run.h5", "scene.toml", "track/000000.h5"])
+def test_damaged_files_are_not_analysed_wrongly(interrupted, name, cut):
+    """Clear lines, or what the whole folder gives: never another answer."""
+    lab = interrupted
+    assert lab("analyse", "cut", "--quiet").returncode == 0
+    right = summary(lab.path / "cut")
+    for part in range(0, PARTS + (0 if cut else 1)):
+        copy_of_cut(lab)
+        path = lab.path / "copy" / name
+        path.write_bytes(damaged(path.read_bytes(), part, cut))
+        for verb in ("analyse", "resume"):
+            result = lab(verb, "copy", "--quiet", timeout=60)
+            if result.returncode != 0:
+                assert_clear(result)
+            elif verb == "analyse":
+                assert summary(lab.path / "copy") == right
+            else:
+                assert_same_run(lab.path / "whole", lab.path / "copy")
+
+
+def test_a_changed_scene_does_not_go_on(interrupted):
+    lab = interrupted
+    copy_of_cut(lab)
+    path = lab.path / "copy/scene.toml"
+    path.write_text(path.read_text().replace("friction = 0.5", "friction = 0.4"))
+    for verb in ("resume", "analyse"):
+        result = lab(verb, "copy")
+        assert_clear(result)
+        assert "is not the scene" in result.stderr
+
+
+def test_a_failed_run_does_not_go_on(lab):
+    text = "contact = { normal = { law = 'hooke' } }\n" + "".join(
+        f"[[grain]]\nposition = [{x}, 0.0]\n" for x in (0.0, 0.05)) + "[stop]\ntime = 5\n"
+    lab.run(text, expect=1)
+    result = lab("resume", "out")
+    assert result.returncode == 2 and "the run failed" in result.stderr
+
+
+@pytest.mark.parametrize("folder, part", [("nowhere", "no such folder"), (".", "holds no run")])
+def test_no_run_to_go_on_with(lab, folder, part):
+    result = lab("resume", folder)
+    assert result.returncode == 2 and part in result.stderr
+
+
+def test_state_hash_is_that_of_the_state(lab):
+    """The same for any threads, another for another seed."""
+    text = SCENE.replace("time = 240", "time = 20")
+    hashes = [summary(lab.run(text, *options, out=f"o{k}"))["state_hash"] for k, options in enumerate(
+        (["--threads", "1"], ["--threads", "2"], ["--threads", "3"], ["--threads", "4"], ["--seed", "2"]))]
+    assert len(set(hashes[:4])) == 1 and hashes[4] != hashes[0]
+    assert re.fullmatch("[0-9a-f]{32}", hashes[0])
+
+
+def test_summary_carries_its_checksum(undisturbed):
+    """The checksum is that of the text before it; a sweep does not count a summary that was changed."""
+    text = (undisturbed.path / "whole/summary.json").read_text()
+    xxhash = pytest.importorskip("xxhash")
+    numbers = json.loads(text)
+    checksum = numbers.pop("checksum")
+    assert list(json.loads(text))[-1] == "checksum" and re.fullmatch("[0-9a-f]{32}", checksum)
+    compact = re.sub(r'\n *|(?<=":) ', "", text[: text.rindex(',\n  "checksum"')]) + "}"
+    assert xxhash.xxh3_128_hexdigest(compact.encode()) == checksum
