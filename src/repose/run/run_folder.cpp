@@ -22,7 +22,7 @@ namespace repose {
 namespace {
 
 constexpr const char* own_files[] = {"scene.toml", "run.h5", "analysis.h5", "summary.json"};
-constexpr const char* own_folders[] = {"frames", "track", "checkpoints", "pictures"};
+constexpr const char* own_folders[] = {"frames", "track", "checkpoints", "export", "pictures"};
 
 bool holds_a_run(const fs::path& path) { return is_there(path / "scene.toml") && is_there(path / "run.h5"); }
 
