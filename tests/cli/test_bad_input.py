@@ -34,11 +34,13 @@ WRONG_SCENES = {
     "unknown table": ("[sauce]\nkind = 'pour'\n" + GRAIN + STOP, "scene.toml:1: sauce: unknown key; known here:"),
     "unknown nested key": (
         "[contact]\nnormal = { law = 'hooke', stifness = 3 }\n" + GRAIN + STOP,
-        "scene.toml:2: contact.normal.stifness: unknown key; known here: attraction, damping, law, stiffness",
+        "scene.toml:2: contact.normal.stifness: unknown key; known here: attraction, damping, law, restitution, "
+        "stiffness, viscosity",
     ),
     "unknown key of a grain": (
         GRAIN + GRAIN + "radius = 1.0\n" + STOP,
-        "scene.toml:5: grain[1].radius: unknown key; known here: diameter, fixed, position, spin, velocity",
+        "scene.toml:5: grain[1].radius: unknown key; known here: diameter, fixed, material, position, spin, "
+        "velocity",
     ),
     "key of another law": ("[contact.tangential]\nlaw = 'none'\nalpha = 1\n" + GRAIN + STOP,
                            "scene.toml:3: contact.tangential.alpha: unknown key; known here: law"),
@@ -73,8 +75,8 @@ WRONG_SCENES = {
     "minus inf": (HEAP.replace("rate = 1.0", "rate = 1.0\nx = -inf"),
                   "scene.toml:8: source.x = -inf: must be a finite number [L]"),
     "nan in a list": ("[[grain]]\nposition = [nan, 1.0]\n" + STOP, "must be a list of two finite numbers"),
-    "unknown word": ("[contact]\nnormal = { law = 'hertz' }\n" + GRAIN + STOP,
-                     'scene.toml:2: contact.normal.law = "hertz": must be one of "continuous", "hooke"'),
+    "unknown word": ("[contact]\nnormal = { law = 'herz' }\n" + GRAIN + STOP,
+                     'scene.toml:2: contact.normal.law = "herz": must be one of "continuous", "hooke", "hertz"'),
     "no stop": (GRAIN, "stop: missing: give time, at_rest or both"),
     "no grains": (STOP, "there are no grains"),
     "empty file": ("", "there are no grains"),

@@ -7,13 +7,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 // What every normal law together with every tangential law must do.
 
 namespace repose {
 namespace {
 
-using testing::for_every_pair_law;
+using testing::for_all_laws;
 
 double number(std::uint64_t index, std::uint32_t draw) {
   return 2.0 * uniform(3, Purpose::release_position, index, draw) - 1.0;
@@ -52,33 +53,39 @@ double distance_of(const Grain<D>& a, const Grain<D>& b) {
   return magnitude(a.position - b.position);
 }
 
-template <int D, class Law>
-bool push_of(const Law& law, const Grain<D>& a, const Grain<D>& b, Tangent<D>& history, soft::Push<D>& push) {
-  return soft::pair_force<false>(law, a, b, Box<D>{}, 1e-3, history, push);
+template <int D>
+bool push_of(const AnyPairLaw& law, const Grain<D>& a, const Grain<D>& b, ContactHistory<Tangent<D>>& history,
+             soft::Push<D, true>& push) {
+  return soft::pair_force<false>(law, a, b, Box<D>{}, 1e-3, history.slip, history.roll, push);
 }
 
 template <int D>
 void check_apart_and_symmetry() {
-  for_every_pair_law([](const auto& law) {
+  for_all_laws([](const auto& law) {
     int touching = 0;
     for (std::uint64_t index = 0; index < 200; ++index) {
       const auto [a, b] = random_pair<D>(index);
-      Tangent<D> history{};
-      Tangent<D> history_back{};
-      soft::Push<D> push;
-      soft::Push<D> back;
+      ContactHistory<Tangent<D>> history;
+      ContactHistory<Tangent<D>> history_back;
+      soft::Push<D, true> push;
+      soft::Push<D, true> back;
       const bool touches = push_of(law, a, b, history, push);
       EXPECT_EQ(touches, distance_of(a, b) < reach(law.normal) * (a.radius + b.radius));
       EXPECT_EQ(push_of(law, b, a, history_back, back), touches);
       if (!touches) {
-        EXPECT_EQ(magnitude(history), 0.0);
+        EXPECT_EQ(magnitude(history.slip), 0.0);
+        EXPECT_EQ(magnitude(history.roll), 0.0);
         continue;
       }
       ++touching;
       const double size = 1e-12 * (1.0 + magnitude(push.force));
       EXPECT_LT(magnitude(push.force + back.force), size);
-      EXPECT_LT(magnitude(push.rim_torque - back.rim_torque), size);
-      EXPECT_LT(magnitude(history - swapped(history_back)), 1e-15);
+      EXPECT_LT(magnitude(push.rim_torque - back.back_rim_torque), size);
+      EXPECT_LT(magnitude(push.back_rim_torque - back.rim_torque), size);
+      EXPECT_LT(magnitude(push.damping + back.damping), size);
+      EXPECT_LT(magnitude(push.friction + back.friction), size);
+      EXPECT_LT(magnitude(history.slip - swapped(history_back.slip)), 1e-15);
+      EXPECT_LT(magnitude(history.roll + history_back.roll), 1e-15);
     }
     EXPECT_GT(touching, 50);
   });
@@ -88,13 +95,13 @@ TEST(LawContract, ZeroApartAndSymmetric2D) { check_apart_and_symmetry<2>(); }
 TEST(LawContract, ZeroApartAndSymmetric3D) { check_apart_and_symmetry<3>(); }
 
 TEST(LawContract, RotationInvariance) {
-  for_every_pair_law([](const auto& law) {
+  for_all_laws([](const auto& law) {
     for (std::uint64_t index = 0; index < 100; ++index) {
       auto [a, b] = random_pair<2>(index);
-      Tangent<2> history = 0.01 * number(index, 60);
-      Tangent<2> history_turned = history;
-      soft::Push<2> push;
-      soft::Push<2> turned_push;
+      ContactHistory<double> history{0.01 * number(index, 60), 0.01 * number(index, 62)};
+      ContactHistory<double> history_turned = history;
+      soft::Push<2, true> push;
+      soft::Push<2, true> turned_push;
       if (!push_of(law, a, b, history, push)) continue;
       const double angle = 3.0 * number(index, 61);
       const auto turn = [&](const Vec<2>& v) {
@@ -114,21 +121,54 @@ TEST(LawContract, RotationInvariance) {
 }
 
 TEST(LawContract, CoulombLimit) {
-  for_every_pair_law([](const auto& law) {
+  for_all_laws([](const auto& law) {
     for (std::uint64_t index = 0; index < 500; ++index) {
       const double distance = reach(law.normal) * (0.9 + 0.0999 * number(index, 0));
       const auto touch = make_touch(distance, 1.0 / distance, 1.0, reach(law.normal), 3.0 * number(index, 1), 1.0);
       ContactHistory<double> history{0.3 * number(index, 2), 0.0};
       const auto force = contact_force(law, touch, 5.0 * number(index, 3), 0.0, 1e-3, history);
       EXPECT_LE(std::fabs(force.tangential), coulomb_limit(law.tangential, force.normal) * (1.0 + 1e-12));
+      EXPECT_LE(std::fabs(force.rolling), 0.1 * force.normal.total * (1.0 + 1e-12));
       EXPECT_GE(force.normal.total, 0.0);
+      EXPECT_GE(force.attraction, 0.0);
     }
   });
 }
 
+// A closed path of the contact point gives no energy: to and fro in slip while the grains are pressed together and let
+// go again, at any phase between the two, without dashpots in the normal direction. The work of the tangential force
+// over the tenth cycle, when what is stored is the same at its ends, is not positive. The cumulative law is not
+// conservative (docs/physics/soft.md): it may give back 2 % of the friction work.
+TEST(LawContract, NoEnergyFromACycle) {
+  for (const auto& normal : testing::every_normal_law()) {
+    for (const auto& tangential : testing::every_tangential_law()) {
+      if (std::holds_alternative<Mindlin>(tangential) && !std::holds_alternative<Hertz>(normal)) continue;
+      for (const double phase : {0.0, 0.7, 1.6, 3.1, 4.5}) {
+        const auto law = any_pair_law({normal, tangential, {}, {}});
+        ContactHistory<double> history;
+        const double dt = 1e-4;
+        double work = 0.0;
+        double most = 0.0;
+        for (int step = 0; step < 100000; ++step) {
+          const double turn = 2.0 * std::numbers::pi * step / 10000.0;
+          const double distance = 0.985 + 0.01 * std::sin(turn + phase);
+          const double slip_speed = 0.004 * 2.0 * std::numbers::pi * std::cos(turn);
+          const double closing = -0.01 * 2.0 * std::numbers::pi * std::cos(turn + phase);
+          const auto touch = make_touch(distance, 1.0 / distance, 1.0, reach(law.normal), closing, 1.0);
+          const auto force = contact_force(law, touch, slip_speed, 0.0, dt, history);
+          if (step < 90000) continue;
+          work += force.tangential * slip_speed * dt;
+          most += std::fabs(force.tangential * slip_speed * dt);
+        }
+        EXPECT_LE(work, (std::holds_alternative<Cumulative>(tangential) ? 0.02 : 1e-3) * most) << phase;
+      }
+    }
+  }
+}
+
 // The same contact in the plane of 3D: forces as in 2D (the tangent t = z x n).
 TEST(LawContract, PlanarContactIn3DIsThatOf2D) {
-  for_every_pair_law([](const auto& law) {
+  for_all_laws([](const auto& law) {
     for (std::uint64_t index = 0; index < 100; ++index) {
       const auto [a, b] = random_pair<2>(index);
       const auto lifted = [](const Grain<2>& grain) {
@@ -143,10 +183,10 @@ TEST(LawContract, PlanarContactIn3DIsThatOf2D) {
         up.inverse_mass = grain.inverse_mass;
         return up;
       };
-      double history = 0.0;
-      Vec<3> history_3d;
-      soft::Push<2> push;
-      soft::Push<3> push_3d;
+      ContactHistory<double> history;
+      ContactHistory<Vec<3>> history_3d;
+      soft::Push<2, true> push;
+      soft::Push<3, true> push_3d;
       for (int step = 0; step < 5; ++step) {
         if (!push_of(law, a, b, history, push)) break;
         ASSERT_TRUE(push_of(law, lifted(a), lifted(b), history_3d, push_3d));
@@ -155,6 +195,7 @@ TEST(LawContract, PlanarContactIn3DIsThatOf2D) {
       EXPECT_NEAR(push.force[0], push_3d.force[0], size);
       EXPECT_NEAR(push.force[1], push_3d.force[1], size);
       EXPECT_NEAR(push.rim_torque, push_3d.rim_torque[2], size);
+      EXPECT_NEAR(push.back_rim_torque, push_3d.back_rim_torque[2], size);
     }
   });
 }

@@ -60,6 +60,7 @@ TEST(NormalLaws, EnergyForceAndStiffnessAgree) {
   };
   check(Continuous::make(36, 1.2, 0.5, 1.0));
   check(Hooke{500.0, 0.5});
+  check(Hertz{700.0, 0.5});
 }
 
 // (5): half the limit at |delta|/d_max = 1 - 0.5^(2/3); against the displacement; (8): C_T = sqrt(m k_T).
@@ -98,16 +99,35 @@ TEST(LinearLaw, SpringThenSlip) {
 
 // The frequencies of physics: n = 36 and a fall of 100 give w dt = 0.458 at 0.001, n = 144 1.54; Hooke sqrt(k).
 TEST(TimeStep, StiffestContactOfAFall) {
-  ContactConditions conditions;
-  conditions.fall = 100.0;
-  EXPECT_NEAR(stiffest_contact(Continuous::make(36, 1.2, 0.5, 1.0), Cumulative{}, conditions).frequency, 458.1, 0.5);
-  EXPECT_NEAR(stiffest_contact(Continuous::make(144, 1.047, 0.5, 1.0), Cumulative{}, conditions).frequency, 1544, 5);
-  EXPECT_NEAR(stiffest_contact(Hooke{500.0, 0.5}, Cumulative{}, conditions).frequency, std::sqrt(500.0), 1e-9);
+  const auto frequency = [](const NormalLaw& normal, const TangentialLaw& tangential, const GrainSize& mover = {}) {
+    return stiffest_contact({normal, tangential, {}, {}}, mover, {}, 1.0, 100.0).frequency;
+  };
+  EXPECT_NEAR(frequency(Continuous::make(36, 1.2, 0.5, 1.0), Cumulative{}), 458.1, 0.5);
+  EXPECT_NEAR(frequency(Continuous::make(144, 1.047, 0.5, 1.0), Cumulative{}), 1544, 5);
+  EXPECT_NEAR(frequency(Hooke{500.0, 0.5}, Cumulative{}), std::sqrt(500.0), 1e-9);
   // The surface of a disc is three times as light as its centre.
-  EXPECT_NEAR(stiffest_contact(Hooke{500.0, 0.5}, Linear{0.5, 500.0, 0.0}, conditions).frequency, std::sqrt(1500.0),
-              1e-9);
-  conditions.smallest_diameter = 0.5;
-  EXPECT_NEAR(stiffest_contact(Hooke{500.0, 0.5}, Cumulative{}, conditions).frequency, std::sqrt(2000.0), 1e-9);
+  EXPECT_NEAR(frequency(Hooke{500.0, 0.5}, Linear{0.5, 500.0, 0.0}), std::sqrt(1500.0), 1e-9);
+  EXPECT_NEAR(frequency(Hooke{500.0, 0.5}, Cumulative{}, {0.5, 0.25}), std::sqrt(2000.0), 1e-9);
+  // k = 1.5 K sqrt(overlap), 0.4 K overlap^2.5 = 100.
+  EXPECT_NEAR(frequency(Hertz{1e4, 0.5}, Mindlin{0.5, 0.2}), std::sqrt(1.5e4 * std::pow(100.0 / 4e3, 0.2)), 1e-9);
+}
+
+// The viscous law: d m_red v, to the cap.
+TEST(ViscousLaw, ClosedForm) {
+  double nothing = 0.0;
+  const NormalForce<double> normal{1.0, 1.0};
+  EXPECT_NEAR(tangential_force(Viscous{0.5, 3.0}, touch_at(0.99, 1.0, 0.0, 0.8), normal, 0.2, 1e-3, nothing), -0.24,
+              1e-12);
+  EXPECT_EQ(tangential_force(Viscous{0.5, 3.0}, touch_at(0.99, 1.0), normal, 7.0, 1e-3, nothing), -0.5);
+  EXPECT_EQ(nothing, 0.0);
+}
+
+// A constant attraction where grains overlap; its energy is minus its work.
+TEST(Cohesion, ConstantWhereGrainsTouch) {
+  const ConstantCohesion law{0.7};
+  EXPECT_EQ(attraction(law, touch_at(1.01, 1.2)), 0.0);
+  EXPECT_EQ(attraction(law, touch_at(0.99, 1.2)), 0.7);
+  EXPECT_NEAR(cohesion_energy(law, touch_at(0.98, 1.2)) - cohesion_energy(law, touch_at(0.99, 1.2)), -0.007, 1e-15);
 }
 
 }  // namespace

@@ -101,8 +101,9 @@ count = 0
 time = 1
 )");
   EXPECT_TRUE(any_contains(lines, "scene.toml:2: gravity = -1: must be >= 0"));
-  EXPECT_TRUE(
-      any_contains(lines, "scene.toml:4: contact.frictoin: unknown key; known here: friction, normal, tangential"));
+  EXPECT_TRUE(any_contains(
+      lines,
+      "scene.toml:4: contact.frictoin: unknown key; known here: cohesion, friction, normal, rolling, tangential"));
   EXPECT_TRUE(any_contains(lines, "scene.toml:5: contact.normal.cutoff = 0.9: must be >= 1"));
   EXPECT_TRUE(any_contains(lines, "scene.toml:8: base.half_width = \"wide\": must be a number, is text"));
   EXPECT_TRUE(any_contains(lines, "scene.toml:11: source.count = 0: must be a whole number from 1"));

@@ -25,7 +25,7 @@ Command add_check(CLI::App& app) {
   options->add_to(*command);
   return {command, [options] {
             const auto scene = options->read();
-            fmt::print("{}", describe(scene));
+            fmt::print("{}{}", describe(scene), describe_contacts(scene));
             const double work = expected_work(scene, expected_end(scene));
             fmt::print("cost             about {:.2g} s of one core\n", work / typical_speed);
             return 0;

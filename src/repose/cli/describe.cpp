@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/cli/describe.hpp"
 
+#include "repose/laws/impact.hpp"
 #include "repose/run/expectation.hpp"
 #include "repose/run/reading.hpp"
 #include "repose/run/setup.hpp"
@@ -15,22 +16,52 @@ namespace repose {
 
 namespace {
 
-struct LawText {
-  std::string operator()(const Continuous& law) const {
-    return fmt::format("continuous, F = m g (s/r)^{:g} out to {:g} diameters, damping {:g} of critical",
-                       law.exponent + 1, law.cutoff, law.damping);
+/// The parameters of a law, name by name.
+class ParameterText final : public Parameters {
+ public:
+  void number(std::string_view name, double& value, double, const Bounds&, std::string_view,
+              std::string_view) override {
+    text += fmt::format(", {} {:g}", name, value);
   }
-  std::string operator()(const Hooke& law) const {
-    return fmt::format("hooke, k = {:g}, damping {:g} of critical", law.stiffness, law.damping);
+  void flag(std::string_view name, bool& value, bool, std::string_view) override {
+    if (value) text += fmt::format(", {}", name);
   }
-  std::string operator()(const Cumulative& law) const {
-    return fmt::format("cumulative, friction {:g}, alpha {:g}", law.friction, law.alpha);
+  void one_of(const std::vector<Way>& ways, std::size_t& way, double& value, double) override {
+    text += fmt::format(", {} {:g}", ways[way].name, value);
   }
-  std::string operator()(const Linear& law) const {
-    return fmt::format("linear, friction {:g}, k_t = {:g}, damping {:g}", law.friction, law.stiffness, law.damping);
-  }
-  std::string operator()(const None&) const { return "none: smooth grains"; }
+
+  std::string text;
 };
+
+template <class Law>
+std::string law_text(Law law, const Scene& scene) {
+  const LawScales scales{scene.gravity, scene.grain_weight(), scene.grains.diameter, scene.contact.friction};
+  ParameterText parameters_of;
+  std::visit(
+      [&](auto& one) {
+        parameters_of.text = one.name;
+        if constexpr (requires { one.friction; }) {
+          if constexpr (!std::is_same_v<std::decay_t<decltype(one)>, RollingSpring>) {
+            parameters_of.text += fmt::format(", friction {:g}", one.friction);
+          }
+        }
+        parameters(one, parameters_of, scales);
+      },
+      law);
+  return parameters_of.text;
+}
+
+std::string laws_text(const Scene::Contact& contact, const Scene& scene, const std::string& of) {
+  std::string text = fmt::format("normal law{}      {}\n", of, law_text(contact.normal, scene));
+  text += fmt::format("tangential law{}  {}\n", of, law_text(contact.tangential, scene));
+  if (!std::holds_alternative<FreeRolling>(contact.rolling)) {
+    text += fmt::format("rolling{}         {}\n", of, law_text(contact.rolling, scene));
+  }
+  if (!std::holds_alternative<NoCohesion>(contact.cohesion)) {
+    text += fmt::format("cohesion{}        {}\n", of, law_text(contact.cohesion, scene));
+  }
+  return text;
+}
 
 std::string stop_text(const Scene& scene) {
   std::string text;
@@ -52,8 +83,11 @@ std::string describe(const Scene& scene) {
   std::string text = fmt::format("scene            {}\n", scene.title.empty() ? "(untitled)" : scene.title);
   text += fmt::format("grains           {} poured, {} placed, {} fixed; diameters {:g} to {:g}\n", scene.source.count,
                       moving_count(initial), fixed, scene.smallest_diameter(), scene.largest_diameter());
-  text += fmt::format("normal law       {}\n", std::visit(LawText{}, scene.contact.normal));
-  text += fmt::format("tangential law   {}\n", std::visit(LawText{}, scene.contact.tangential));
+  text += laws_text(scene.contact, scene, " ");
+  for (const auto& pair : scene.pairs) {
+    text += fmt::format("between          {} and {}\n", pair.first, pair.second);
+    text += laws_text(pair.contact, scene, " ");
+  }
   text +=
       fmt::format("time step        {:.6g} ({}; w dt = {:.3g} for the stiffest contact of a fall from the source)\n",
                   step, scene.method.time_step ? "given" : "auto", step * scene.contact_frequency());
@@ -67,6 +101,46 @@ std::string describe(const Scene& scene) {
   text += fmt::format("expected         {:.3g} steps, {:.3g} grain-steps to time {:.5g}\n", end / step,
                       expected_work(scene, end), end);
   return text;
+}
+
+std::string describe_contacts(const Scene& scene) {
+  const auto names = scene.material_names();
+  const auto laws = scene.material_laws();
+  const double d = scene.grains.diameter;
+  const double step = scene.time_step();
+  const double weight = scene.grain_weight();
+  const double column = scene.expected_column();
+  // Of a fall of one diameter; without gravity, of a diameter in the time of the automatic step.
+  const double speed = scene.gravity > 0.0 ? std::sqrt(2.0 * scene.gravity * d) : 1e-3 * d / step;
+  std::string text = fmt::format(
+      "contacts         grains of {:g} that meet at {:.3g}; overlaps at rest in diameters, a column of {:.0f} grains\n",
+      d, speed, column);
+  text += fmt::format("  {:24} {:>11} {:>12} {:>12} {:>12} {:>7}\n", "between", "restitution", "contact time",
+                      "under one", "under column", "steps");
+  std::string warnings;
+  for (std::size_t a = 0; a < names.size(); ++a) {
+    for (std::size_t b = a; b < names.size(); ++b) {
+      const AnyNormal law{laws.table[a * names.size() + b].normal};
+      const double m = 2.0 * scene.mass_of(d, names[a]) * scene.mass_of(d, names[b]) /
+                       (scene.mass_of(d, names[a]) + scene.mass_of(d, names[b]));
+      const auto impact = head_on(law, {.mass = m, .reduced_mass = 0.5 * m, .diameter = d, .speed = speed});
+      const double steps = impact.duration / step;
+      const double under_column = static_overlap(law, m, d, column * weight) / d;
+      const auto between = names.size() == 1 ? std::string("any two") : names[a] + " and " + names[b];
+      text += fmt::format("  {:24} {:11.4f} {:12.4g} {:12.3g} {:12.3g} {:7.1f}\n", between, impact.restitution,
+                          impact.duration, static_overlap(law, m, d, weight) / d, under_column, steps);
+      constexpr double least_steps = 10.0;
+      constexpr double most_overlap = 0.05;
+      if (steps < least_steps) {
+        warnings += fmt::format("warning          {}: fewer than {:g} steps in a contact\n", between, least_steps);
+      }
+      if (under_column > most_overlap) {
+        warnings += fmt::format("warning          {}: overlaps of more than {:g} % under the column\n", between,
+                                100.0 * most_overlap);
+      }
+    }
+  }
+  return text + warnings;
 }
 
 std::string describe_result(const Record& record, const Reading& reading) {

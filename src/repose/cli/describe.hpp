@@ -13,6 +13,9 @@ namespace repose {
 /// What a scene would run, for a reader: grains, laws, time step and why, expected end.
 std::string describe(const Scene& scene);
 
+/// Each pair of materials in a contact: restitution, contact time, overlaps at rest, steps per contact.
+std::string describe_contacts(const Scene& scene);
+
 /// What came out, in a few lines.
 std::string describe_result(const Record& record, const Reading& reading);
 

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace repose {
 
@@ -35,6 +37,15 @@ class Parameters {
   virtual void number(std::string_view name, double& value, double fallback, const Bounds& bounds,
                       std::string_view unit, std::string_view about) = 0;
   virtual void flag(std::string_view name, bool& value, bool fallback, std::string_view about) = 0;
+
+  /// One number that may be given in one of several ways.
+  struct Way {
+    std::string_view name;
+    Bounds bounds;
+    std::string_view unit;
+    std::string_view about;
+  };
+  virtual void one_of(const std::vector<Way>& ways, std::size_t& way, double& value, double fallback) = 0;
 };
 
 }  // namespace repose

@@ -16,62 +16,63 @@ namespace repose {
 struct AnyNormal {
   NormalLaw law;
 };
-REPOSE_FN double reach(const AnyNormal& any) {
-  return std::visit([](const auto& law) { return reach(law); }, any.law);
+REPOSE_FN double reach(const AnyNormal& chosen) {
+  return std::visit([](const auto& law) { return reach(law); }, chosen.law);
 }
-REPOSE_FN NormalForce<double> normal_force(const AnyNormal& any, const Touch<double>& touch) {
-  return std::visit([&](const auto& law) { return normal_force(law, touch); }, any.law);
+REPOSE_FN NormalForce<double> normal_force(const AnyNormal& chosen, const Touch<double>& touch) {
+  return std::visit([&](const auto& law) { return normal_force(law, touch); }, chosen.law);
 }
 
-inline double elastic_energy(const AnyNormal& any, double mass, double diameter, double distance) {
-  return std::visit([&](const auto& law) { return elastic_energy(law, mass, diameter, distance); }, any.law);
+inline double elastic_energy(const AnyNormal& chosen, double mass, double diameter, double distance) {
+  return std::visit([&](const auto& law) { return elastic_energy(law, mass, diameter, distance); }, chosen.law);
 }
 
 struct AnyTangential {
   TangentialLaw law;
 };
 template <class Tangential>
-REPOSE_FN Tangential tangential_force(const AnyTangential& any, const Touch<double>& touch,
+REPOSE_FN Tangential tangential_force(const AnyTangential& chosen, const Touch<double>& touch,
                                       const NormalForce<double>& normal, const Tangential& slip_velocity, double dt,
                                       Tangential& delta) {
   return std::visit([&](const auto& law) { return tangential_force(law, touch, normal, slip_velocity, dt, delta); },
-                    any.law);
+                    chosen.law);
 }
-REPOSE_FN double coulomb_limit(const AnyTangential& any, const NormalForce<double>& normal) {
-  return std::visit([&](const auto& law) { return coulomb_limit(law, normal); }, any.law);
+REPOSE_FN double coulomb_limit(const AnyTangential& chosen, const NormalForce<double>& normal) {
+  return std::visit([&](const auto& law) { return coulomb_limit(law, normal); }, chosen.law);
 }
 
 template <class Tangential>
-double stored_energy(const AnyTangential& any, const Touch<double>& touch, const NormalForce<double>& normal,
+double stored_energy(const AnyTangential& chosen, const Touch<double>& touch, const NormalForce<double>& normal,
                      const Tangential& delta) {
-  return std::visit([&](const auto& law) { return stored_energy(law, touch, normal, delta); }, any.law);
+  return std::visit([&](const auto& law) { return stored_energy(law, touch, normal, delta); }, chosen.law);
 }
 
 struct AnyRolling {
   RollingLaw law;
 };
 template <class Tangential>
-REPOSE_FN Tangential rolling_force(const AnyRolling& any, const Touch<double>& touch, const NormalForce<double>& normal,
-                                   const Tangential& roll_velocity, double dt, Tangential& displacement) {
+REPOSE_FN Tangential rolling_force(const AnyRolling& chosen, const Touch<double>& touch,
+                                   const NormalForce<double>& normal, const Tangential& roll_velocity, double dt,
+                                   Tangential& displacement) {
   return std::visit([&](const auto& law) { return rolling_force(law, touch, normal, roll_velocity, dt, displacement); },
-                    any.law);
+                    chosen.law);
 }
 
 template <class Tangential>
-double stored_energy(const AnyRolling& any, const Touch<double>& touch, const NormalForce<double>& normal,
+double stored_energy(const AnyRolling& chosen, const Touch<double>& touch, const NormalForce<double>& normal,
                      const Tangential& displacement) {
-  return std::visit([&](const auto& law) { return stored_energy(law, touch, normal, displacement); }, any.law);
+  return std::visit([&](const auto& law) { return stored_energy(law, touch, normal, displacement); }, chosen.law);
 }
 
 struct AnyCohesion {
   CohesionLaw law;
 };
-REPOSE_FN double attraction(const AnyCohesion& any, const Touch<double>& touch) {
-  return std::visit([&](const auto& law) { return attraction(law, touch); }, any.law);
+REPOSE_FN double attraction(const AnyCohesion& chosen, const Touch<double>& touch) {
+  return std::visit([&](const auto& law) { return attraction(law, touch); }, chosen.law);
 }
 
-inline double cohesion_energy(const AnyCohesion& any, const Touch<double>& touch) {
-  return std::visit([&](const auto& law) { return cohesion_energy(law, touch); }, any.law);
+inline double cohesion_energy(const AnyCohesion& chosen, const Touch<double>& touch) {
+  return std::visit([&](const auto& law) { return cohesion_energy(law, touch); }, chosen.law);
 }
 
 using AnyPairLaw = PairLaw<AnyNormal, AnyTangential, AnyRolling, AnyCohesion>;

@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/laws/cohesion/constant.hpp"
 #include "repose/laws/cohesion/none.hpp"
 #include "repose/laws/normal/continuous.hpp"
+#include "repose/laws/normal/hertz.hpp"
 #include "repose/laws/normal/hooke.hpp"
 #include "repose/laws/pair_law.hpp"
 #include "repose/laws/rolling/free.hpp"
+#include "repose/laws/rolling/spring.hpp"
 #include "repose/laws/tangential/cumulative.hpp"
 #include "repose/laws/tangential/linear.hpp"
+#include "repose/laws/tangential/mindlin.hpp"
 #include "repose/laws/tangential/none.hpp"
+#include "repose/laws/tangential/viscous.hpp"
 
 #include <cstddef>
 #include <variant>
@@ -18,10 +23,10 @@
 namespace repose {
 
 /// Every law by kind: a new law is its header and one entry here.
-using NormalLaw = std::variant<Continuous, Hooke>;
-using TangentialLaw = std::variant<Cumulative, Linear, None>;
-using RollingLaw = std::variant<FreeRolling>;
-using CohesionLaw = std::variant<NoCohesion>;
+using NormalLaw = std::variant<Continuous, Hooke, Hertz>;
+using TangentialLaw = std::variant<Cumulative, Linear, Mindlin, Viscous, None>;
+using RollingLaw = std::variant<FreeRolling, RollingSpring>;
+using CohesionLaw = std::variant<NoCohesion, ConstantCohesion>;
 
 /// The laws of a pair of materials, chosen at run time.
 struct ContactLaws {
@@ -36,15 +41,5 @@ struct MaterialLaws {
   std::size_t materials = 1;
   std::vector<ContactLaws> table;
 };
-
-/// Calls `use` with the PairLaw of the two laws: the one dispatch of a run.
-template <class Use>
-decltype(auto) with_pair_law(const NormalLaw& normal, const TangentialLaw& tangential, Use&& use) {
-  return std::visit(
-      [&](const auto& n, const auto& t) -> decltype(auto) {
-        return use(PairLaw{n, t});
-      },
-      normal, tangential);
-}
 
 }  // namespace repose

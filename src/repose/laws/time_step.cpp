@@ -7,32 +7,17 @@
 
 namespace repose {
 
-namespace {
-
-/// Tangential stiffness felt by the surface of a grain [M/T^2], rotation included (a disc's surface is three times as
-/// light as its centre); 0 where the law's own slope follows the normal stiffness and stays below it.
-double surface_stiffness(const Linear& law) { return 3.0 * law.stiffness; }
-double surface_stiffness(const Cumulative&) { return 0.0; }
-double surface_stiffness(const None&) { return 0.0; }
-
-}  // namespace
-
-StiffestContact stiffest_contact(const NormalLaw& normal, const TangentialLaw& tangential, const ContactConditions& c) {
-  const auto mass_of = [&](double diameter) { return c.mass * std::pow(diameter / c.diameter, 2); };
-  const double tangential_stiffness = std::visit([](const auto& law) { return surface_stiffness(law); }, tangential);
-  StiffestContact stiffest;
-  for (const double mover : {c.smallest_diameter, c.largest_diameter}) {
-    for (const double partner : {c.smallest_diameter, c.diameter, c.largest_diameter}) {
-      const double m = mass_of(mover);
-      const double pair_mass = 2.0 * m * mass_of(partner) / (m + mass_of(partner));
-      const double energy = m * c.gravity * c.fall;
-      const double stiffness = std::visit(
-          [&](const auto& law) { return stiffness_at(law, pair_mass, 0.5 * (mover + partner), energy); }, normal);
-      const double k = std::max(stiffness, tangential_stiffness);
-      stiffest.frequency = std::max(stiffest.frequency, std::sqrt(k / m));
-    }
-  }
-  return stiffest;
+StiffestContact stiffest_contact(const ContactLaws& laws, const GrainSize& mover, const GrainSize& partner,
+                                 double gravity, double fall) {
+  const double m = mover.mass;
+  const double pair_mass = 2.0 * m * partner.mass / (m + partner.mass);
+  const double diameter = 0.5 * (mover.diameter + partner.diameter);
+  const double normal = std::visit(
+      [&](const auto& law) { return stiffness_at(law, pair_mass, diameter, m * gravity * fall); }, laws.normal);
+  const auto at_surface = [&](const auto& law) { return surface_stiffness(law, normal, m); };
+  const double stiffest =
+      std::max({normal, std::visit(at_surface, laws.tangential), std::visit(at_surface, laws.rolling)});
+  return {std::sqrt(stiffest / m)};
 }
 
 }  // namespace repose

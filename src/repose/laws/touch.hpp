@@ -41,8 +41,9 @@ REPOSE_FN Touch<T> make_touch(T distance, T inverse_distance, T diameter, T with
 /// A normal force in its parts.
 template <class T>
 struct NormalForce {
-  T elastic;  ///< [M L/T^2] >= 0, function of the distance alone
-  T total;    ///< [M L/T^2] with damping; positive pushes apart
+  T elastic;      ///< [M L/T^2] >= 0, function of the distance alone
+  T total;        ///< [M L/T^2] with damping; positive pushes apart
+  T stiffness{};  ///< [M/T^2] -d(elastic)/d(distance)
 };
 
 template <class T>

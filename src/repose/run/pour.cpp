@@ -3,6 +3,7 @@
 #include "repose/run/pour.hpp"
 
 #include "repose/core/random.hpp"
+#include "repose/laws/any_law.hpp"
 #include "repose/run/setup.hpp"
 
 #include <algorithm>
@@ -35,7 +36,8 @@ bool Pour::release(Grains<2>& grains, long step) {
   if (step > 0) grain.velocity[1] = 0.5 * scene_.gravity * time_step_;
   grain.position[1] = scene_.source.height;
 
-  const double reach = std::visit([](const auto& law) { return repose::reach(law); }, scene_.contact.normal);
+  double reach = 1.0;
+  for (const auto& laws : scene_.material_laws().table) reach = std::max(reach, repose::reach(AnyNormal{laws.normal}));
   const auto taken = [&] {
     return std::any_of(grains.line.begin(), grains.line.end(), [&](const Grain<2>& other) {
       const Vec<2> d = grain.position - other.position;

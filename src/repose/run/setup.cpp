@@ -46,10 +46,10 @@ void add_lattice(const Scene& scene, Grains<2>& grains, std::int64_t& id) {
 
 }  // namespace
 
-Grain<2> make_grain(const Scene& scene, double diameter) {
+Grain<2> make_grain(const Scene& scene, double diameter, const std::string& material) {
   Grain<2> grain;
   grain.radius = 0.5 * diameter;
-  grain.mass = scene.grains.mass * std::pow(diameter / scene.grains.diameter, 2);
+  grain.mass = scene.mass_of(diameter, material);
   grain.inverse_mass = 1.0 / grain.mass;
   return grain;
 }
@@ -59,15 +59,15 @@ Grains<2> initial_grains(const Scene& scene) {
   std::int64_t id = 0;
   if (scene.base.kind == "row") {
     for (const double x : row_places(scene)) {
-      auto grain = make_grain(scene, scene.grains.diameter);
+      auto grain = make_grain(scene, scene.grains.diameter, scene.base.material);
       grain.inverse_mass = 0.0;
       grain.position[0] = x;
-      grains.add(grain, id++, true);
+      grains.add(grain, id++, true, scene.material_number(scene.base.material));
     }
   }
   if (scene.source.kind == "lattice") add_lattice(scene, grains, id);
   for (const auto& placed : scene.placed) {
-    auto grain = make_grain(scene, placed.diameter);
+    auto grain = make_grain(scene, placed.diameter, placed.material);
     for (int k = 0; k < 2; ++k) {
       grain.position[k] = placed.position[static_cast<std::size_t>(k)];
       grain.velocity[k] = placed.velocity[static_cast<std::size_t>(k)];
@@ -78,7 +78,7 @@ Grains<2> initial_grains(const Scene& scene) {
       grain.velocity = {};
       grain.rim_velocity = 0.0;
     }
-    grains.add(grain, id++);
+    grains.add(grain, id++, false, scene.material_number(placed.material));
   }
   return grains;
 }
@@ -110,10 +110,12 @@ std::vector<Wall<2>> make_walls(const Scene& scene) {
   std::vector<Wall<2>> walls;
   if (scene.base.kind == "plane") {
     walls.push_back({.point = {}, .normal = {{0.0, 1.0}}, .smooth = scene.base.smooth});
+    walls.back().material = scene.material_number(scene.base.material);
   }
   for (const auto& plane : scene.planes) {
     Wall<2> wall{.point = vector_of(plane.point), .normal = direction_of(vector_of(plane.normal))};
     set_motion(plane, wall);
+    wall.material = scene.material_number(plane.material);
     walls.push_back(wall);
   }
   for (const auto& piece : scene.pieces) {
@@ -122,6 +124,7 @@ std::vector<Wall<2>> make_walls(const Scene& scene) {
                  .normal = direction_of({{-along[1], along[0]}}),
                  .half_length = 0.5 * magnitude(along)};
     set_motion(piece, wall);
+    wall.material = scene.material_number(piece.material);
     walls.push_back(wall);
   }
   return walls;
@@ -155,7 +158,7 @@ std::unique_ptr<Method<2>> make_method(const Scene& scene) {
   settings.synchronised = scene.synchronised();
   settings.audit = scene.output.energy;
   settings.skin = scene.method.skin;
-  return make_soft<2>({1, {{scene.contact.normal, scene.contact.tangential, {}, {}}}}, settings);
+  return make_soft<2>(scene.material_laws(), settings);
 }
 
 }  // namespace repose

@@ -13,8 +13,8 @@
 
 namespace repose {
 
-/// A grain of this diameter at rest at the origin; mass goes with the square of the diameter.
-Grain<2> make_grain(const Scene& scene, double diameter);
+/// A grain of this diameter and material ("": the first) at rest at the origin.
+Grain<2> make_grain(const Scene& scene, double diameter, const std::string& material = "");
 
 /// The grains that are there at the start: the base first, by ascending x, then a lattice pile, row by row, then
 /// the placed ones.

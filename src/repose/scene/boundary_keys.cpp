@@ -12,19 +12,6 @@ namespace {
 
 constexpr std::array<double, 2> nothing{0.0, 0.0};
 
-/// An array of tables [[key]], one per entry of a list.
-template <class Entry>
-void table_keys(Keys& keys, const std::string& key, std::vector<Entry>& list,
-                const std::function<void(const std::string& prefix, Entry& entry, std::size_t index)>& each) {
-  keys.tables(
-      key,
-      [&](std::size_t count) {
-        if (count > 0) list.resize(count);
-        return list.size();
-      },
-      [&](const std::string& prefix, std::size_t k) { each(prefix, list[k], k); });
-}
-
 void base_keys(Scene& scene, Keys& keys) {
   keys.choice("base.kind", scene.base.kind, "none", {"row", "plane", "none"},
               "what the heap stands on, at height 0: a row of fixed grains, a plane, or nothing");
@@ -36,6 +23,7 @@ void base_keys(Scene& scene, Keys& keys) {
     keys.flag("base.smooth", scene.base.smooth, false,
               "no friction, and the height of the centre as distance (Baxter et al. 1997)");
   }
+  if (scene.base.kind != "none") material_key("base.material", scene.base.material, scene, keys);
 }
 
 void box_keys(Scene& scene, Keys& keys) {
@@ -70,9 +58,10 @@ void motion_keys(const std::string& prefix, Scene::Wall& wall, Keys& keys) {
   if (wall.motion != "fixed") keys.number(prefix + "start", wall.start, 0.0, not_negative, "T", "it stands until then");
 }
 
-void wall_keys(const std::string& prefix, Scene::Wall& wall, const std::string& name, Keys& keys) {
+void wall_keys(const std::string& prefix, Scene::Wall& wall, const std::string& name, const Scene& scene, Keys& keys) {
   keys.text(prefix + "name", wall.name, name, "under which its series is kept");
   keys.flag(prefix + "smooth", wall.smooth, false, "as base.smooth");
+  material_key(prefix + "material", wall.material, scene, keys);
   motion_keys(prefix, wall, keys);
   keys.optional_number(prefix + "opens_at", wall.opens_at, "", not_negative, "T", "from then on it is not there");
 }
@@ -85,13 +74,13 @@ void boundary_keys(Scene& scene, Keys& keys) {
   table_keys<Scene::Wall>(keys, "plane", scene.planes, [&](const auto& prefix, auto& plane, std::size_t k) {
     keys.vector(prefix + "point", plane.point, std::nullopt, "L", "a point of the plane");
     keys.vector(prefix + "normal", plane.normal, std::nullopt, "", "towards the grains");
-    wall_keys(prefix, plane, fmt::format("plane {}", k), keys);
+    wall_keys(prefix, plane, fmt::format("plane {}", k), scene, keys);
   });
   table_keys<Scene::Wall>(keys, "wall", scene.pieces, [&](const auto& prefix, auto& piece, std::size_t k) {
     keys.vector(prefix + "from", piece.from, std::nullopt, "L",
                 "one end of a straight piece of wall, which has two sides");
     keys.vector(prefix + "to", piece.to, std::nullopt, "L", "the other end");
-    wall_keys(prefix, piece, fmt::format("wall {}", k), keys);
+    wall_keys(prefix, piece, fmt::format("wall {}", k), scene, keys);
   });
   table_keys<Scene::Load>(keys, "load", scene.loads, [&](const auto& prefix, auto& load, std::size_t) {
     keys.vector(prefix + "force", load.force, std::nullopt, "M L/T^2", "that acts on one grain");

@@ -20,6 +20,8 @@ namespace repose {
 class Keys {
  public:
   virtual ~Keys() = default;
+  /// Whether there is anything under a key; what is not said may then be as elsewhere.
+  virtual bool given(const std::string& key) const = 0;
   virtual void number(const std::string& key, double& value, double fallback, const Bounds& bounds,
                       std::string_view unit, std::string_view about) = 0;
   /// A number, or the word that stands for none: "auto", or "" where the key may be left out.
@@ -34,6 +36,9 @@ class Keys {
                       const std::vector<std::string>& words, std::string_view about) = 0;
   virtual void vector(const std::string& key, std::array<double, 2>& value,
                       std::optional<std::array<double, 2>> fallback, std::string_view unit, std::string_view about) = 0;
+  /// One number that may be given by one of several keys, `group` and a name each; the first is the default.
+  virtual void one_of(const std::string& group, const std::vector<Parameters::Way>& ways, std::size_t& way,
+                      double& value, double fallback) = 0;
   /// An array of tables [[key]]: resizes through `resize` on reading, and calls `each` for every entry.
   virtual void tables(const std::string& key, const std::function<std::size_t(std::size_t)>& resize,
                       const std::function<void(const std::string& prefix, std::size_t index)>& each) = 0;

@@ -4,13 +4,59 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
 namespace repose {
 
-void check_laws(const Scene& scene, Reader& reader) {
-  const bool continuous = std::holds_alternative<Continuous>(scene.contact.normal);
-  if (continuous && scene.gravity == 0.0 && reader.sound("gravity")) {
+namespace {
+
+void check_contact(const std::string& prefix, const Scene::Contact& contact, const Scene& scene, Reader& reader) {
+  if (std::holds_alternative<Continuous>(contact.normal) && scene.gravity == 0.0 && reader.sound("gravity")) {
     reader.problem("gravity", " = 0: the continuous law has its force scale from gravity; use hooke or gravity > 0");
   }
+  const auto key = prefix + "normal.restitution";
+  std::visit(
+      [&](const auto& law) {
+        if (std::isfinite(law.damping) || !reader.sound(key)) return;
+        reader.problem(key, fmt::format(" = {}: is less than any damping of this law gives", law.restitution));
+      },
+      contact.normal);
+  if (std::holds_alternative<Mindlin>(contact.tangential) && !std::holds_alternative<Hertz>(contact.normal) &&
+      reader.sound(prefix + "tangential.law") && reader.sound(prefix + "normal.law")) {
+    reader.problem(prefix + "tangential.law",
+                   fmt::format(" = \"mindlin\": goes with {}normal.law = \"hertz\" alone", prefix));
+  }
+}
+
+void check_materials(const Scene& scene, Reader& reader) {
+  constexpr std::size_t most = 64;
+  if (scene.materials.size() > most) reader.problem("material", fmt::format(": at most {} materials", most));
+  std::set<std::string> names;
+  for (std::size_t k = 0; k < scene.materials.size(); ++k) {
+    const auto key = fmt::format("material[{}].name", k);
+    const auto& name = scene.materials[k].name;
+    if (name.empty() && reader.sound(key)) reader.problem(key, ": missing: a material needs a name");
+    if (!name.empty() && !names.insert(name).second) reader.problem(key, fmt::format(" = \"{}\": is taken", name));
+  }
+  std::set<std::pair<std::string, std::string>> given;
+  for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
+    const auto& pair = scene.pairs[k];
+    const auto prefix = fmt::format("pair[{}].", k);
+    check_contact(prefix, pair.contact, scene, reader);
+    if (!given.insert(std::minmax(pair.first, pair.second)).second) {
+      reader.problem(prefix + "second", fmt::format(" = \"{}\": this pair was given before", pair.second));
+    }
+  }
+}
+
+}  // namespace
+
+void check_laws(const Scene& scene, Reader& reader) {
+  check_contact("contact.", scene.contact, scene, reader);
+  check_materials(scene, reader);
 }
 
 }  // namespace repose

@@ -1,64 +1,125 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/laws/impact.hpp"
 #include "repose/scene/key_groups.hpp"
+
+#include <fmt/format.h>
 
 namespace repose {
 
 namespace {
 
-void normal_keys(Scene& scene, Keys& keys) {
-  static const std::vector<std::string> laws = {"continuous", "hooke"};
-  std::string law = laws[scene.contact.normal.index()];
-  keys.choice("contact.normal.law", law, "continuous", laws, "normal force");
-  const bool same = law == laws[scene.contact.normal.index()];
-  if (law == "hooke") {
-    auto hooke = same ? std::get<Hooke>(scene.contact.normal) : Hooke{};
-    const double weight = scene.grain_weight();
-    keys.number("contact.normal.stiffness", hooke.stiffness, 500.0 * (weight > 0 ? weight : 1) / scene.grains.diameter,
-                positive, "M/T^2", "spring constant k");
-    keys.number("contact.normal.damping", hooke.damping, 0.5, not_negative, "", "fraction of critical");
-    keys.flag("contact.normal.attraction", hooke.attraction, false, "let the dashpot pull");
-    scene.contact.normal = hooke;
-  } else {
-    auto continuous = same ? std::get<Continuous>(scene.contact.normal) : Continuous{};
-    keys.number("contact.normal.exponent", continuous.exponent, 36.0, positive, "", "n of F = m g (s/r)^(n+1)");
-    keys.number("contact.normal.cutoff", continuous.cutoff, 1.2, at_least_one, "diameters",
-                "r0: the force acts at distances below this; at least 1, where grains touch");
-    keys.number("contact.normal.damping", continuous.damping, 0.5, not_negative, "", "fraction of critical");
-    keys.flag("contact.normal.attraction", continuous.attraction, false, "let the dashpot pull");
-    scene.contact.normal = Continuous::make(continuous.exponent, continuous.cutoff, continuous.damping, scene.gravity,
-                                            continuous.attraction);
+/// Shows the parameters of a law as keys of a scene.
+class LawParameters final : public Parameters {
+ public:
+  LawParameters(std::string prefix, Keys& keys) : prefix_(std::move(prefix)), keys_(keys) {}
+  void number(std::string_view name, double& value, double fallback, const Bounds& bounds, std::string_view unit,
+              std::string_view about) override {
+    keys_.number(prefix_ + std::string(name), value, fallback, bounds, unit, about);
   }
+  void flag(std::string_view name, bool& value, bool fallback, std::string_view about) override {
+    keys_.flag(prefix_ + std::string(name), value, fallback, about);
+  }
+  void one_of(const std::vector<Way>& ways, std::size_t& way, double& value, double fallback) override {
+    keys_.one_of(prefix_, ways, way, value, fallback);
+  }
+
+ private:
+  std::string prefix_;
+  Keys& keys_;
+};
+
+/// Each law of a kind, as it is before anything is known of it.
+template <class Law, std::size_t... K>
+std::vector<Law> all_of(std::index_sequence<K...>) {
+  return {Law(std::in_place_index<K>)...};
+}
+template <class Law>
+std::vector<Law> all_of() {
+  return all_of<Law>(std::make_index_sequence<std::variant_size_v<Law>>());
 }
 
-void tangential_keys(Scene& scene, Keys& keys) {
-  static const std::vector<std::string> laws = {"cumulative", "linear", "none"};
-  std::string law = laws[scene.contact.tangential.index()];
-  keys.choice("contact.tangential.law", law, "cumulative", laws, "tangential force");
-  const bool same = law == laws[scene.contact.tangential.index()];
-  if (law == "cumulative") {
-    auto cumulative = same ? std::get<Cumulative>(scene.contact.tangential) : Cumulative{};
-    keys.number("contact.tangential.alpha", cumulative.alpha, 1.214, positive, "",
-                "largest displacement over friction times normal engagement");
-    cumulative.friction = scene.contact.friction;
-    scene.contact.tangential = cumulative;
-  } else if (law == "linear") {
-    auto linear = same ? std::get<Linear>(scene.contact.tangential) : Linear{};
-    keys.number("contact.tangential.stiffness", linear.stiffness, required, positive, "M/T^2", "spring constant k_t");
-    keys.number("contact.tangential.damping", linear.damping, 0.0, not_negative, "", "fraction of critical");
-    linear.friction = scene.contact.friction;
-    scene.contact.tangential = linear;
+std::string name_of(const auto& law) {
+  return std::visit([](const auto& one) { return std::string(one.name); }, law);
+}
+
+/// The keys of one law of a kind: which it is, and its parameters.
+template <class Law>
+void one_law(const std::string& prefix, Law& law, const std::string& fallback, std::string_view about,
+             const LawScales& scales, Keys& keys) {
+  const auto all = all_of<Law>();
+  std::vector<std::string> names;
+  for (const auto& one : all) names.push_back(name_of(one));
+  std::string name = name_of(law);
+  keys.choice(prefix + "law", name, fallback, names, about);
+  for (const auto& one : all) {
+    if (name_of(one) == name && name != name_of(law)) law = one;
+  }
+  LawParameters shown(prefix, keys);
+  std::visit([&](auto& one) { parameters(one, shown, scales); }, law);
+}
+
+/// The law as it is for another pair of materials, with the friction of this one.
+TangentialLaw with_friction(TangentialLaw law, double friction) {
+  std::visit(
+      [&](auto& one) {
+        if constexpr (requires { one.friction; }) one.friction = friction;
+      },
+      law);
+  return law;
+}
+
+/// The laws of a pair of materials. A kind of law of which nothing is said is as in `like`.
+void contact_keys(const std::string& prefix, Scene::Contact& contact, const Scene::Contact* like, const Scene& scene,
+                  Keys& keys) {
+  const double weight = scene.grain_weight();
+  const LawScales scales{scene.gravity, weight > 0.0 ? weight : 1.0, scene.grains.diameter, contact.friction};
+  const auto own = [&](const std::string& kind) { return like == nullptr || keys.given(prefix + kind); };
+  if (own("normal")) {
+    one_law(prefix + "normal.", contact.normal, "continuous", "normal force", scales, keys);
+    contact.normal = with_restitution(contact.normal, scene.grains.mass, scene.grains.diameter);
   } else {
-    scene.contact.tangential = None{};
+    contact.normal = like->normal;
+  }
+  if (own("tangential")) {
+    one_law(prefix + "tangential.", contact.tangential, "cumulative", "tangential force", scales, keys);
+  } else {
+    contact.tangential = with_friction(like->tangential, contact.friction);
+  }
+  if (own("rolling")) {
+    one_law(prefix + "rolling.", contact.rolling, "none", "resistance to rolling", scales, keys);
+  } else {
+    contact.rolling = like->rolling;
+  }
+  if (own("cohesion")) {
+    one_law(prefix + "cohesion.", contact.cohesion, "none", "attraction", scales, keys);
+  } else {
+    contact.cohesion = like->cohesion;
   }
 }
 
 }  // namespace
 
+void material_key(const std::string& key, std::string& material, const Scene& scene, Keys& keys) {
+  const auto names = scene.material_names();
+  keys.choice(key, material, names.front(), names, "of which it is, for the laws of the pair");
+}
+
 void law_keys(Scene& scene, Keys& keys) {
   keys.number("contact.friction", scene.contact.friction, 0.5, not_negative, "", "Coulomb coefficient mu");
-  normal_keys(scene, keys);
-  tangential_keys(scene, keys);
+  contact_keys("contact.", scene.contact, nullptr, scene, keys);
+  table_keys<Scene::Material>(keys, "material", scene.materials, [&](const auto& prefix, auto& material, std::size_t) {
+    keys.text(prefix + "name", material.name, "", "of the material; that of the first is for all that names none");
+    keys.number(prefix + "density", material.density, 1.0, positive, "",
+                "over that of grains.mass and grains.diameter");
+  });
+  table_keys<Scene::Pair>(keys, "pair", scene.pairs, [&](const auto& prefix, auto& pair, std::size_t) {
+    material_key(prefix + "first", pair.first, scene, keys);
+    material_key(prefix + "second", pair.second, scene, keys);
+    keys.number(prefix + "friction", pair.contact.friction, scene.contact.friction, not_negative, "",
+                "as contact.friction");
+    contact_keys(prefix, pair.contact, &scene.contact, scene, keys);
+  });
 }
 
 }  // namespace repose

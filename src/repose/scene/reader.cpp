@@ -217,6 +217,25 @@ void Reader::choice(const std::string& key, std::string& value, std::string_view
   value = word;
 }
 
+void Reader::one_of(const std::string& group, const std::vector<Parameters::Way>& ways, std::size_t& way, double& value,
+                    double fallback) {
+  way = 0;
+  std::size_t found = ways.size();
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    const auto key = group + std::string(ways[k].name);
+    asked_.insert(key);
+    if (!given(key)) continue;
+    if (found < ways.size()) {
+      problem(key, fmt::format(": only one of {} and {} may be given", ways[found].name, ways[k].name));
+      continue;
+    }
+    found = k;
+  }
+  if (found < ways.size()) way = found;
+  number(group + std::string(ways[way].name), value, way == 0 ? fallback : required, ways[way].bounds, ways[way].unit,
+         ways[way].about);
+}
+
 void Reader::vector(const std::string& key, std::array<double, 2>& value, std::optional<std::array<double, 2>> fallback,
                     std::string_view /*unit*/, std::string_view about) {
   asked_.insert(key);

@@ -29,6 +29,8 @@ class Reader final : public Keys {
               const std::vector<std::string>& words, std::string_view about) override;
   void vector(const std::string& key, std::array<double, 2>& value, std::optional<std::array<double, 2>> fallback,
               std::string_view unit, std::string_view about) override;
+  void one_of(const std::string& group, const std::vector<Parameters::Way>& ways, std::size_t& way, double& value,
+              double fallback) override;
   void tables(const std::string& key, const std::function<std::size_t(std::size_t)>& resize,
               const std::function<void(const std::string& prefix, std::size_t index)>& each) override;
 
@@ -36,7 +38,7 @@ class Reader final : public Keys {
   void problem(const std::string& key, const std::string& what);
   /// True if the key is there and nothing is wrong with it so far.
   bool sound(const std::string& key) const { return !wrong_.contains(key); }
-  bool given(const std::string& key) const { return find(key) != nullptr; }
+  bool given(const std::string& key) const override { return find(key) != nullptr; }
   /// Adds a problem for every key of the file that `go_through` did not ask for.
   void report_unknown_keys();
   /// Says that a key came from elsewhere than the file.

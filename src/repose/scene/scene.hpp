@@ -33,17 +33,36 @@ struct Scene {
     double polydispersity = 0.0;  ///< sizes uniform in [(1 - p) d, d]
   } grains;
 
+  /// What acts between two materials; friction is kept in the tangential law too.
   struct Contact {
     double friction = 0.0;
     NormalLaw normal;
     TangentialLaw tangential;
+    RollingLaw rolling;
+    CohesionLaw cohesion;
+
+    ContactLaws laws() const { return {normal, tangential, rolling, cohesion}; }
   } contact;
+
+  struct Material {
+    std::string name;
+    double density = 1.0;  ///< over that of a grain of grains.mass and grains.diameter
+  };
+  std::vector<Material> materials;  ///< empty: all is of one
+
+  struct Pair {
+    std::string first;
+    std::string second;
+    Contact contact;
+  };
+  std::vector<Pair> pairs;
 
   struct Base {
     std::string kind;         ///< "row", "plane" or "none"
     double spacing = 0.0;     ///< [L] between the centres of a row
     double half_width = 0.0;  ///< [L]
     bool smooth = false;      ///< of a plane
+    std::string material;
   } base;
 
   struct Region {
@@ -60,6 +79,7 @@ struct Scene {
     std::array<double, 2> from{};
     std::array<double, 2> to{};
     bool smooth = false;
+    std::string material;
     std::string motion;  ///< "fixed", "velocity", "force" or "spring"
     std::array<double, 2> velocity{};
     std::array<double, 2> force{};
@@ -86,6 +106,7 @@ struct Scene {
     double spin = 0.0;
     double diameter = 0.0;
     bool fixed = false;
+    std::string material;
   };
   std::vector<Placed> placed;
 
@@ -128,6 +149,14 @@ struct Scene {
   double base_pitch() const;  ///< [L] between neighbours of a lattice pile's lowest row
   double smallest_diameter() const;
   double largest_diameter() const;
+  std::vector<std::string> material_names() const;
+  std::uint16_t material_number(const std::string& name) const;
+  double mass_of(double diameter, const std::string& material) const;  ///< [M] goes with the square of the diameter
+  /// The laws of every two materials.
+  MaterialLaws material_laws() const;
+  /// The number of grains that may stand above one at the base, for overlaps at rest: all grains in a heap of 30
+  /// degrees.
+  double expected_column() const;
   double time_step() const;          ///< [T] given or automatic
   bool synchronised() const;         ///< given, or chosen for size ratios above 2
   double contact_frequency() const;  ///< [1/T] of the stiffest contact that the time step is judged by

@@ -6,20 +6,14 @@ namespace repose {
 
 void source_keys(Scene& scene, Keys& keys) {
   const double d = scene.grains.diameter;
-  keys.tables(
-      "grain",
-      [&](std::size_t count) {
-        if (count > 0) scene.placed.resize(count);
-        return scene.placed.size();
-      },
-      [&](const std::string& prefix, std::size_t k) {
-        auto& grain = scene.placed[k];
-        keys.vector(prefix + "position", grain.position, std::nullopt, "L", "centre at the start");
-        keys.vector(prefix + "velocity", grain.velocity, std::array<double, 2>{0.0, 0.0}, "L/T", "at the start");
-        keys.number(prefix + "spin", grain.spin, 0.0, any, "1/T", "angular velocity, counter-clockwise");
-        keys.number(prefix + "diameter", grain.diameter, d, positive, "L", "mass goes with its square");
-        keys.flag(prefix + "fixed", grain.fixed, false, "never moves nor turns");
-      });
+  table_keys<Scene::Placed>(keys, "grain", scene.placed, [&](const auto& prefix, auto& grain, std::size_t) {
+    keys.vector(prefix + "position", grain.position, std::nullopt, "L", "centre at the start");
+    keys.vector(prefix + "velocity", grain.velocity, std::array<double, 2>{0.0, 0.0}, "L/T", "at the start");
+    keys.number(prefix + "spin", grain.spin, 0.0, any, "1/T", "angular velocity, counter-clockwise");
+    keys.number(prefix + "diameter", grain.diameter, d, positive, "L", "mass goes with its square");
+    keys.flag(prefix + "fixed", grain.fixed, false, "never moves nor turns");
+    material_key(prefix + "material", grain.material, scene, keys);
+  });
   keys.choice("source.kind", scene.source.kind, "none", {"pour", "lattice", "none"},
               "where grains come from: poured, or there at the start as a triangular lattice pile on the base");
   if (scene.source.kind == "lattice") {

@@ -13,6 +13,7 @@ namespace {
 
 class Writer final : public Keys {
  public:
+  bool given(const std::string&) const override { return true; }
   void number(const std::string& key, double& value, double, const Bounds&, std::string_view unit,
               std::string_view about) override {
     line(key, toml_number(value), unit, about);
@@ -43,6 +44,10 @@ class Writer final : public Keys {
               std::string_view unit, std::string_view about) override {
     line(key, fmt::format("[{}, {}]", toml_number(value[0]), toml_number(value[1])), unit, about);
   }
+  void one_of(const std::string& group, const std::vector<Parameters::Way>& ways, std::size_t& way, double& value,
+              double) override {
+    line(group + std::string(ways[way].name), toml_number(value), ways[way].unit, ways[way].about);
+  }
   void tables(const std::string& key, const std::function<std::size_t(std::size_t)>& resize,
               const std::function<void(const std::string& prefix, std::size_t index)>& each) override {
     const auto count = resize(0);
@@ -56,12 +61,20 @@ class Writer final : public Keys {
   const std::string& out() const { return out_; }
 
  private:
+  /// The header of a table inside the present entry of a list: TOML names no places there.
+  static std::string without_places(std::string section) {
+    for (auto open = section.find('['); open != std::string::npos; open = section.find('[')) {
+      section.erase(open, section.find(']', open) - open + 1);
+    }
+    return section;
+  }
+
   void line(const std::string& key, const std::string& value, std::string_view unit, std::string_view about) {
     const auto dot = key.rfind('.');
     const std::string section = dot == std::string::npos ? "" : key.substr(0, dot);
     if (section != section_) {
       section_ = section;
-      out_ += fmt::format("\n[{}]\n", section);
+      out_ += fmt::format("\n[{}]\n", without_places(section));
     }
     const std::string name = dot == std::string::npos ? key : key.substr(dot + 1);
     out_ += fmt::format("{} = {}  # {}{}\n", name, value, unit.empty() ? "" : fmt::format("[{}] ", unit), about);

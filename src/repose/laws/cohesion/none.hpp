@@ -3,6 +3,8 @@
 #pragma once
 
 #include "repose/core/inline.hpp"
+#include "repose/core/parameters.hpp"
+#include "repose/laws/scales.hpp"
 #include "repose/laws/touch.hpp"
 
 #include <string_view>
@@ -13,6 +15,8 @@ namespace repose {
 struct NoCohesion {
   static constexpr std::string_view name = "none";
 };
+
+inline void parameters(NoCohesion&, Parameters&, const LawScales&) {}
 
 /// Attraction [M L/T^2] >= 0 between touching grains.
 REPOSE_FN double attraction(const NoCohesion&, const Touch<double>&) { return 0.0; }

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/laws/normal/damping.hpp"
+#include "repose/laws/scales.hpp"
 #include "repose/laws/touch.hpp"
 
 #include <cmath>
+#include <string_view>
 
 namespace repose {
 
@@ -29,13 +32,31 @@ struct Continuous {
   double gravity = 1.0;          ///< [L/T^2] sets the scale m g of the force, > 0
   bool attraction = false;       ///< let the dashpot pull
   unsigned whole_exponent = 37;  ///< n + 1 if whole (fast path), else 0
+  DampingKind damping_kind = DampingKind::of_critical;
+  double restitution = 0.0;   ///< if given so
+  double impact_speed = 0.0;  ///< [L/T] for which it is given
+
+  static constexpr std::string_view name = "continuous";
+  static constexpr bool restitution_depends_on_speed = true;
 
   static Continuous make(double exponent, double cutoff, double damping, double gravity, bool attraction = false) {
     const double next = exponent + 1.0;
     const bool whole = next == std::floor(next) && next < 1e6;
-    return {exponent, cutoff, damping, gravity, attraction, whole ? static_cast<unsigned>(next) : 0U};
+    Continuous law{exponent, cutoff, damping, gravity, attraction};
+    law.whole_exponent = whole ? static_cast<unsigned>(next) : 0U;
+    return law;
   }
 };
+
+inline void parameters(Continuous& law, Parameters& to, const LawScales& scales) {
+  to.number("exponent", law.exponent, 36.0, positive, "", "n of F = m g (s/r)^(n+1)");
+  to.number("cutoff", law.cutoff, 1.2, at_least_one, "diameters",
+            "r0: the force acts at distances below this; at least 1, where grains touch");
+  damping_parameters(law, to, scales);
+  const auto whole = Continuous::make(law.exponent, law.cutoff, law.damping, scales.gravity);
+  law.gravity = whole.gravity;
+  law.whole_exponent = whole.whole_exponent;
+}
 
 /// The distance, in mean diameters, below which the law acts.
 REPOSE_FN double reach(const Continuous& law) { return law.cutoff; }
@@ -45,8 +66,8 @@ REPOSE_FN NormalForce<double> normal_force(const Continuous& law, const Touch<do
   const double power = law.whole_exponent != 0 ? whole_power(x, law.whole_exponent) : std::pow(x, law.exponent + 1.0);
   const double elastic = touch.mass * law.gravity * power;
   const double stiffness = (law.exponent + 1.0) * elastic * touch.inverse_distance;
-  const double dashpot = 2.0 * law.damping * std::sqrt(touch.mass * stiffness);
-  return {elastic, without_attraction(law.attraction, elastic + dashpot * touch.closing_speed)};
+  return {elastic, without_attraction(law.attraction, elastic + dashpot(law, touch, stiffness) * touch.closing_speed),
+          stiffness};
 }
 
 /// Energy [M L^2/T^2] stored in a pair of mean diameter `diameter` at `distance`; 0 at the cutoff.

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/laws/normal/damping.hpp"
+#include "repose/laws/scales.hpp"
 #include "repose/laws/touch.hpp"
 
-#include <cmath>
+#include <string_view>
 
 namespace repose {
 
@@ -13,16 +15,28 @@ namespace repose {
 /// Validated by tests/validation/soft_exact.cpp (rest distance, energy of an impact against the step).
 struct Hooke {
   double stiffness = 500.0;  ///< [M/T^2] > 0
-  double damping = 0.5;      ///< fraction of the critical damping of one grain against a fixed one, >= 0
+  double damping = 0.5;      ///< >= 0, by its kind
   bool attraction = false;   ///< let the dashpot pull
+  DampingKind damping_kind = DampingKind::of_critical;
+  double restitution = 0.0;  ///< if given so
+
+  static constexpr std::string_view name = "hooke";
+  static constexpr bool restitution_depends_on_speed = false;
 };
+
+inline void parameters(Hooke& law, Parameters& to, const LawScales& scales) {
+  to.number("stiffness", law.stiffness, 500.0 * scales.weight / scales.diameter, positive, "M/T^2",
+            "spring constant k");
+  damping_parameters(law, to, scales);
+}
 
 REPOSE_FN double reach(const Hooke&) { return 1.0; }
 
 REPOSE_FN NormalForce<double> normal_force(const Hooke& law, const Touch<double>& touch) {
   const double elastic = law.stiffness * touch.overlap;
-  const double dashpot = 2.0 * law.damping * std::sqrt(law.stiffness) * std::sqrt(touch.mass);
-  return {elastic, without_attraction(law.attraction, elastic + dashpot * touch.closing_speed)};
+  return {elastic,
+          without_attraction(law.attraction, elastic + dashpot(law, touch, law.stiffness) * touch.closing_speed),
+          law.stiffness};
 }
 
 /// Energy [M L^2/T^2] stored in a pair of mean diameter `diameter` at `distance`.

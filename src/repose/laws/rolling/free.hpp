@@ -3,6 +3,8 @@
 #pragma once
 
 #include "repose/core/inline.hpp"
+#include "repose/core/parameters.hpp"
+#include "repose/laws/scales.hpp"
 #include "repose/laws/touch.hpp"
 
 #include <string_view>
@@ -13,6 +15,10 @@ namespace repose {
 struct FreeRolling {
   static constexpr std::string_view name = "none";
 };
+
+inline void parameters(FreeRolling&, Parameters&, const LawScales&) {}
+
+inline double surface_stiffness(const FreeRolling&, double, double) { return 0.0; }
 
 template <class Tangential>
 REPOSE_FN Tangential rolling_force(const FreeRolling&, const Touch<double>&, const NormalForce<double>&,

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/parameters.hpp"
 #include "repose/core/vec.hpp"
+#include "repose/laws/scales.hpp"
 #include "repose/laws/tangential/limit.hpp"
 #include "repose/laws/touch.hpp"
 
 #include <cmath>
+#include <string_view>
 
 namespace repose {
 
@@ -21,7 +24,17 @@ namespace repose {
 struct Cumulative {
   double friction = 0.5;  ///< mu >= 0
   double alpha = 1.214;   ///< d_max over mu times the normal engagement, > 0
+
+  static constexpr std::string_view name = "cumulative";
 };
+
+inline void parameters(Cumulative& law, Parameters& to, const LawScales& scales) {
+  to.number("alpha", law.alpha, 1.214, positive, "", "largest displacement over friction times normal engagement");
+  law.friction = scales.friction;
+}
+
+/// The law's own slope follows the normal stiffness and stays below it.
+inline double surface_stiffness(const Cumulative&, double, double) { return 0.0; }
 
 /// The force [M L/T^2] along the tangent; brings the displacement delta [L] forward by one step at slip velocity v_t.
 /// `normal` is the normal force of the same moment.

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/parameters.hpp"
 #include "repose/core/vec.hpp"
-#include "repose/laws/tangential/limit.hpp"
+#include "repose/laws/scales.hpp"
+#include "repose/laws/tangential/slider.hpp"
 #include "repose/laws/touch.hpp"
 
 #include <cmath>
+#include <string_view>
 
 namespace repose {
 
@@ -17,20 +20,26 @@ struct Linear {
   double friction = 0.5;   ///< mu >= 0
   double stiffness = 100;  ///< [M/T^2] > 0
   double damping = 0.0;    ///< fraction of the critical damping of one grain's translation, >= 0
+
+  static constexpr std::string_view name = "linear";
 };
+
+inline void parameters(Linear& law, Parameters& to, const LawScales& scales) {
+  to.number("stiffness", law.stiffness, required, positive, "M/T^2", "spring constant k_t");
+  to.number("damping", law.damping, 0.0, not_negative, "", "fraction of critical");
+  law.friction = scales.friction;
+}
+
+/// Stiffness [M/T^2] that the surface of a grain feels, rotation included: it is three times as light as the centre.
+inline double surface_stiffness(const Linear& law, double /*normal_stiffness*/, double /*mass*/) {
+  return 3.0 * law.stiffness;
+}
 
 template <class Tangential>
 REPOSE_FN Tangential tangential_force(const Linear& law, const Touch<double>& touch, const NormalForce<double>& normal,
                                       const Tangential& slip_velocity, double dt, Tangential& delta) {
-  delta = delta + slip_velocity * dt;
   const double dashpot = 2.0 * law.damping * std::sqrt(law.stiffness) * std::sqrt(touch.mass);
-  const Tangential damping = slip_velocity * -dashpot;
-  const Tangential wanted = damping - delta * law.stiffness;
-  const double limit = law.friction * positive_part(normal.total);
-  if (!(magnitude(wanted) > limit)) return wanted;
-  const Tangential force = limited(wanted, limit);
-  delta = (damping - force) * (1.0 / law.stiffness);
-  return force;
+  return slider_force(law.stiffness, dashpot, law.friction * positive_part(normal.total), slip_velocity, dt, delta);
 }
 
 REPOSE_FN double coulomb_limit(const Linear& law, const NormalForce<double>& normal) {

@@ -3,12 +3,22 @@
 #pragma once
 
 #include "repose/core/inline.hpp"
+#include "repose/core/parameters.hpp"
+#include "repose/laws/scales.hpp"
 #include "repose/laws/touch.hpp"
+
+#include <string_view>
 
 namespace repose {
 
 /// No tangential force: smooth grains.
-struct None {};
+struct None {
+  static constexpr std::string_view name = "none";
+};
+
+inline void parameters(None&, Parameters&, const LawScales&) {}
+
+inline double surface_stiffness(const None&, double, double) { return 0.0; }
 
 template <class Tangential>
 REPOSE_FN Tangential tangential_force(const None&, const Touch<double>&, const NormalForce<double>&, const Tangential&,

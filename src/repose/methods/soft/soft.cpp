@@ -41,8 +41,8 @@ std::unique_ptr<Method<D>> make_fused(const MaterialLaws& laws, const SoftSettin
 template <int D>
 std::unique_ptr<Method<D>> make_soft(const MaterialLaws& laws, const SoftSettings<D>& settings) {
   if (!settings.audit && !settings.reference) {
-    auto made = make_fused<D, PairLaw<Hooke, Linear>, PairLaw<Continuous, Cumulative>, PairLaw<Hooke, Cumulative>>(
-        laws, settings);
+    auto made = make_fused<D, PairLaw<Hooke, Linear>, PairLaw<Hertz, Mindlin>, PairLaw<Continuous, Cumulative>,
+                           PairLaw<Hooke, Cumulative>>(laws, settings);
     if (made) return made;
   }
   std::vector<AnyPairLaw> table;

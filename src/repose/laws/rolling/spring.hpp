@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/core/parameters.hpp"
+#include "repose/core/vec.hpp"
+#include "repose/laws/scales.hpp"
+#include "repose/laws/tangential/slider.hpp"
+#include "repose/laws/touch.hpp"
+
+#include <cmath>
+#include <string_view>
+
+namespace repose {
+
+/// Resistance to rolling: a torque of at most mu_r R N, R the roll radius, built up by an elastic spring as the grains
+/// roll on each other and yielding beyond. The soft twin of the rolling friction |S| <= mu_r r R of contact dynamics
+/// (Bratberg 2003, paper one, eq. (6)); elastic-plastic spring: Luding (2008).
+/// Validated by tests/unit/rolling_test.cpp (limit, decay of rolling, rest on a slope).
+struct RollingSpring {
+  double friction = 0.1;   ///< mu_r >= 0
+  double stiffness = 0.0;  ///< [M/T^2] force per rolled length, > 0
+  double damping = 0.3;    ///< fraction of critical for one grain that rolls, >= 0
+
+  static constexpr std::string_view name = "spring";
+};
+
+inline void parameters(RollingSpring& law, Parameters& to, const LawScales& scales) {
+  to.number("friction", law.friction, required, not_negative, "", "mu_r: torque at most mu_r R N");
+  to.number("stiffness", law.stiffness, 100.0 * scales.weight / scales.diameter, positive, "M/T^2",
+            "torque over R per rolled length");
+  to.number("damping", law.damping, 0.3, not_negative, "", "fraction of critical");
+}
+
+/// A disc has I = m R^2 / 2, and both may turn.
+inline double surface_stiffness(const RollingSpring& law, double, double) { return 4.0 * law.stiffness; }
+
+/// The torque over the roll radius [M L/T^2]; brings the rolled length [L] forward at roll velocity v.
+template <class Tangential>
+REPOSE_FN Tangential rolling_force(const RollingSpring& law, const Touch<double>& touch,
+                                   const NormalForce<double>& normal, const Tangential& roll_velocity, double dt,
+                                   Tangential& rolled) {
+  const double dashpot = 2.0 * law.damping * std::sqrt(0.5 * law.stiffness * touch.mass);
+  return slider_force(law.stiffness, dashpot, law.friction * positive_part(normal.total), roll_velocity, dt, rolled);
+}
+
+template <class Tangential>
+double stored_energy(const RollingSpring& law, const Touch<double>&, const NormalForce<double>&,
+                     const Tangential& rolled) {
+  return 0.5 * law.stiffness * squared(rolled);
+}
+
+}  // namespace repose

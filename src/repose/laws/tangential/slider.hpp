@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/laws/tangential/limit.hpp"
+
+namespace repose {
+
+/// A spring and a dashpot whose force is capped: brings `displacement` [L] forward and returns the force [M L/T^2].
+/// While it slides the spring keeps the length that gives the capped force.
+template <class Tangential>
+REPOSE_FN Tangential slider_force(double stiffness, double dashpot, double limit, const Tangential& velocity, double dt,
+                                  Tangential& displacement) {
+  displacement = displacement + velocity * dt;
+  const Tangential damping = velocity * -dashpot;
+  const Tangential wanted = damping - displacement * stiffness;
+  if (!(magnitude(wanted) > limit)) return wanted;
+  const Tangential force = limited(wanted, limit);
+  displacement = (damping - force) * (1.0 / stiffness);
+  return force;
+}
+
+}  // namespace repose

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/core/parameters.hpp"
+#include "repose/core/vec.hpp"
+#include "repose/laws/scales.hpp"
+#include "repose/laws/tangential/limit.hpp"
+#include "repose/laws/touch.hpp"
+
+#include <string_view>
+
+namespace repose {
+
+/// Friction against the slip velocity, F = -d m_red v_t, capped by Coulomb. It holds nothing at rest: heaps creep.
+/// Source: Bratberg (2003), eq. (58). Validated by tests/unit/laws_test.cpp.
+struct Viscous {
+  double friction = 0.5;  ///< mu >= 0
+  double rate = 0.0;      ///< [1/T] d > 0
+
+  static constexpr std::string_view name = "viscous";
+};
+
+inline void parameters(Viscous& law, Parameters& to, const LawScales& scales) {
+  to.number("rate", law.rate, required, positive, "1/T", "friction over reduced mass and slip velocity");
+  law.friction = scales.friction;
+}
+
+/// Of the spring that would be as fast: a dashpot on a surface three times as light as the centre decays at 3/2 d.
+inline double surface_stiffness(const Viscous& law, double /*normal_stiffness*/, double mass) {
+  return mass * 2.25 * law.rate * law.rate;
+}
+
+template <class Tangential>
+REPOSE_FN Tangential tangential_force(const Viscous& law, const Touch<double>& touch, const NormalForce<double>& normal,
+                                      const Tangential& slip_velocity, double, Tangential&) {
+  return limited(slip_velocity * (-law.rate * touch.reduced_mass), law.friction * positive_part(normal.total));
+}
+
+REPOSE_FN double coulomb_limit(const Viscous& law, const NormalForce<double>& normal) {
+  return law.friction * positive_part(normal.total);
+}
+
+template <class Tangential>
+double stored_energy(const Viscous&, const Touch<double>&, const NormalForce<double>&, const Tangential&) {
+  return 0.0;
+}
+
+}  // namespace repose
