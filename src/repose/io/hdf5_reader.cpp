@@ -141,11 +141,13 @@ void Hdf5Reader::bytes(const std::string& name, std::size_t item,
   const Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
   if (dataset.failed()) fail(name, "no such dataset");
   const Handle space(H5Dget_space(dataset.id()), H5Sclose);
-  const auto size = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id()));
-  if (size % item != 0) fail(name, "of another size than expected");
-  void* data = room(size / item);
-  if (data == nullptr && size > 0) fail(name, "of another size than expected");
-  if (size > 0 && H5Dread(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0) {
+  std::array<hsize_t, 2> shape{};
+  const bool table =
+      H5Sget_simple_extent_ndims(space.id()) == 2 && H5Sget_simple_extent_dims(space.id(), shape.data(), nullptr) == 2;
+  if (!table || shape[1] != item) fail(name, "of another size than expected");
+  void* data = room(shape[0]);
+  if (data == nullptr && shape[0] > 0) fail(name, "of another size than expected");
+  if (shape[0] > 0 && H5Dread(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0) {
     fail(name, "cannot be read");
   }
 }
