@@ -29,6 +29,11 @@ bool holds_a_run(const fs::path& path) { return is_there(path / "scene.toml") &&
 void clear_older_run(const fs::path& path) {
   for (const auto* name : own_folders) fs::remove_all(path / name);
   for (const auto* name : own_files) fs::remove(path / name);
+  std::vector<fs::path> starts;
+  for (const auto& entry : fs::directory_iterator(path)) {
+    if (entry.is_regular_file() && entry.path().stem() == "start") starts.push_back(entry.path());
+  }
+  for (const auto& start : starts) fs::remove(start);
 }
 
 }  // namespace
@@ -57,8 +62,11 @@ RunFolder::RunFolder(std::string path, const Simulation& simulation) : path_(std
     path_ = beside;
     write_text_file(path_ + "/scene.toml", scene_text(simulation.scene()));
     write_run(simulation.record());
+    const auto& start = simulation.scene().start;
+    if (!start.from.empty()) fs::copy_file(start.path, fs::path(beside) / start.from);
     path_ = target;
     clear_older_run(path_);
+    if (!start.from.empty()) fs::rename(fs::path(beside) / start.from, fs::path(path_) / start.from);
     for (const auto* name : own_files) fs::rename(fs::path(beside) / name, fs::path(path_) / name);
     fs::remove_all(beside);
   } catch (const std::exception& failure) {
