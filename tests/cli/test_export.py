@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Exports, read back by VTK, by a reader of LAMMPS dumps of a few lines, and as tables."""
 
+import csv
+import re
+import shutil
 from xml.etree import ElementTree
 
 import h5py
@@ -136,22 +139,59 @@ def test_ovito(run):
     assert (rows[:, names.index("force")] == found["/contacts/normal_force"][with_grains]).all()
 
 
+def table(path):
+    """(lines that begin with #, columns by name) of an exported table, quoted cells included."""
+    lines = path.read_text().splitlines()
+    notes = [line for line in lines if line.startswith("#")]
+    names, *body = csv.reader(line for line in lines if not line.startswith("#"))
+    assert len(set(names)) == len(names) and all(len(row) == len(names) for row in body)
+    return notes, {name: [row[k] for row in body] for k, name in enumerate(names)}
+
+
+def parts(run, group, name, width):
+    """Names of the columns of a dataset with several."""
+    if group == "series":
+        return [f"{name}_{wall.decode()}" for wall in run.found["/walls/name"]]
+    if width == 2:
+        return [f"{name}_{k}" for k in (("first", "second") if name == "grains" else "xy")]
+    return [f"{name}_{k}" for k in range(width)]
+
+
 def test_csv_holds_every_table(run):
     said = exported(run, "--to", "csv", "--out", "tables")
     files = {line.split("/")[-1] for line in said.splitlines()}
     assert files == {p.name for p in (run.path / "tables").iterdir()}
-    assert {"grains.csv", "contacts.csv", "series.csv", "analysis_surface.csv"} <= files
-    for name in ("grains", "series"):
-        lines = (run.path / f"tables/{name}.csv").read_text().splitlines()
-        notes = [line for line in lines if line.startswith("#")]
-        header, *body = (line.split(",") for line in lines if not line.startswith("#"))
-        for column, name_of in enumerate(header):
-            original = run.found.get(f"/{name}/{name_of}")
-            if original is None:  # a column of several
-                whole, _, part = name_of.rpartition("_")
-                original = run.found[f"/{name}/{whole}"][:, "xy".index(part) if part in "xy" else int(part)]
-            assert [float(row[column]) for row in body] == original.tolist(), name_of
-        assert any("[L] centre" in note for note in notes) or name == "series"
+    seen = set()
+    for file in files:
+        notes, columns = table(run.path / "tables" / file)
+        group = notes[0].split()[1]
+        prefix = f"/analysis/{group}/" if file.startswith("analysis_") else f"/{group}/"
+        described = [found[1] for line in notes if (found := re.match(r"# (\w+):", line))]
+        left = set(columns)
+        for name in described:
+            original = run.found[prefix + name]
+            seen.add(prefix + name)
+            if group == "fields":  # a row for each cell, y by y
+                x, y = run.found[prefix + "x"], run.found[prefix + "y"]
+                original = {"x": np.tile(x, len(y)), "y": np.repeat(y, len(x))}.get(name, original.reshape(-1))
+            names = [name] if original.ndim == 1 else parts(run, group, name, original.shape[1])
+            for one, values in zip(names, original.reshape(len(original), -1).T):
+                if values.dtype.kind == "S":
+                    assert columns[one] == [value.decode() for value in values]
+                else:
+                    np.testing.assert_array_equal(np.array(columns[one], dtype=values.dtype), values, err_msg=f"{file}: {one}")
+                left.remove(one)
+        assert not left, f"{file}: {left} are described nowhere"
+    tables = {name for name, value in run.found.items() if value.ndim and not name.startswith(("/frames/", "/track/"))}
+    assert {name for name in tables if name.count("/") > 1} == seen
+
+
+def test_csv_says_units_and_settings(run):
+    exported(run, "--to", "csv", "--out", "units")
+    notes, columns = table(run.path / "units/grains.csv")
+    assert next(iter(columns)) == "id" and "# position: [L] centre" in notes
+    notes, columns = table(run.path / "units/analysis_surface.csv")
+    assert next(iter(columns)) == "x" and "# bin_width = 2" in notes
 
 
 def test_only_the_last_state(run):
@@ -167,6 +207,93 @@ def test_exports_of_nothing(lab):
         assert lab("export", "out", "--to", kind).returncode == 0
     data, points, *_ = vtp(lab.path / "out/export/vtk/contacts_000000.vtp")
     assert data.GetNumberOfLines() == 0 and len(points) == 0
+
+
+def test_a_second_export_replaces_the_first(lab):
+    """Parts of a longer series would be left over; what is not an export stays."""
+    out = lab.run(SCENES["heap"])
+    vtk = out / "export/vtk"
+    exported(lab, "--to", "vtk")
+    assert len(list(vtk.glob("grains_*.vtp"))) > 3
+    (vtk / "view.pvsm").write_text("mine")
+    exported(lab, "--to", "vtk", "--frames", "last")
+    assert sorted(p.name for p in vtk.iterdir()) == [
+        "contacts.pvd", "contacts_000000.vtp", "grains.pvd", "grains_000000.vtp", "view.pvsm"]
+    exported(lab, "--to", "vtk", "--quiet")
+    assert len(list(vtk.glob("grains_*.vtp"))) > 3
+
+
+def test_folders_of_others_are_left_alone(lab):
+    lab.run(SCENES["heap"])
+    (lab.path / "mine").mkdir()
+    (lab.path / "mine/grains.dump").write_text("precious")
+    lab.refused("export", "out", "--to", "ovito", "--out", "mine",
+                parts=["mine: folder is not empty; choose another --out, or --overwrite"])
+    assert (lab.path / "mine/grains.dump").read_text() == "precious"
+    exported(lab, "--to", "ovito", "--out", "mine", "--overwrite")
+    assert (lab.path / "mine/grains.dump").read_text().startswith("ITEM: TIMESTEP")
+
+
+def test_a_killed_run_without_analysis(lab):
+    """What a killed run leaves: frames that run.h5 does not name yet, no analysis. All that it names is exported."""
+    out = lab.run(SCENES["heap"])
+    shutil.copy(out / "frames/000000.h5", out / "frames/000099.h5")
+    (out / "analysis.h5").unlink()
+    exported(lab, "--to", "vtk")
+    with h5py.File(out / "run.h5") as file:
+        frames = len(file["frames"])
+    assert len(list((out / "export/vtk").glob("grains_*.vtp"))) == frames + 1
+    assert "analysis" not in exported(lab, "--to", "csv")
+
+
+@pytest.mark.parametrize("kind", ["vtk", "ovito"])
+def test_missing_and_damaged_frames(lab, kind):
+    out = lab.run(SCENES["heap"])
+    frame = out / "frames/000002.h5"
+    content = frame.read_bytes()
+    frame.write_bytes(content[:-100])
+    said = lab.refused("export", "out", "--to", kind, parts=["out/frames/000002.h5: damaged"])
+    assert len(said.splitlines()) == 1
+    frame.unlink()
+    lab.refused("export", "out", "--to", kind, parts=["out/frames/000002.h5: is missing; --frames last does without"])
+    exported(lab, "--to", kind, "--frames", "last")
+
+
+def test_disk_full(lab):
+    """A limit on the size of a file stands in for it: nothing is left behind, nor is an older export harmed."""
+    out = lab.run(SCENES["heap"])
+    before = everything_in(out)
+    for kind, blocks in (("vtk", 4), ("ovito", 8), ("csv", 2)):
+        result = lab("export", "out", "--to", kind, before=f"ulimit -f {blocks}")
+        assert result.returncode == 1 and "cannot write: File too large" in result.stderr, result.stderr
+        assert len(result.stderr.splitlines()) == 1 and ".unfinished" not in result.stderr
+        assert everything_in(out) == before
+    exported(lab, "--to", "ovito")
+    older = (out / "export/ovito/grains.dump").read_bytes()
+    assert lab("export", "out", "--to", "ovito", before="ulimit -f 8").returncode == 1
+    assert (out / "export/ovito/grains.dump").read_bytes() == older
+    assert sorted(p.name for p in (out / "export/ovito").iterdir()) == ["contacts.dump", "grains.dump"]
+
+
+def test_grains_that_were_exported_start_a_run(run):
+    """Import of what was exported: the same bits of places, velocities, radii."""
+    for kind, file in (("csv", "grains.csv"), ("ovito", "grains.dump")):
+        exported(run, "--to", kind, "--out", f"again-{kind}")
+        scene = f"again-{kind}.toml"
+        box = "[box]\nx = 'periodic'\nhalf_width = 8\n" if "periodic" in str(run.path) else ""
+        (run.path / scene).write_text(f"[contact]\nnormal = {{ law = 'hooke', stiffness = 5e3 }}\n[start]\nfrom = 'again-{kind}/{file}'\n{box}[stop]\ntime = 1e-3\n"
+                                      "[method]\ntime_step = 1e-3\n[output]\nseries = 1e-3\n")
+        out = f"started-{kind}"
+        result = run("run", scene, "--out", out, "--quiet")
+        assert result.returncode == 0, result.stderr
+        with h5py.File(run.path / out / "run.h5") as file:
+            again = {name: file[f"grains/{name}"][()] for name in ("position", "velocity", "radius", "fixed", "base", "mass")}
+        for name in ("radius", "fixed", "base", "mass"):
+            assert (again[name] == run.found[f"/grains/{name}"]).all(), name
+        # One step on: a thousandth of a velocity, and of what the forces add to it.
+        far = np.abs(run.found["/grains/velocity"]).max() * 1e-3 + 1e-3
+        moved = np.abs(again["position"] - run.found["/grains/position"])
+        assert np.minimum(moved, 16.0 - moved if box else moved).max() < far
 
 
 def test_wrong_orders(lab):

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/cli/commands.hpp"
-#include "repose/core/errors.hpp"
 #include "repose/run/exporting.hpp"
 
 #include <CLI/CLI.hpp>
@@ -22,10 +21,11 @@ struct ExportOptions {
 int act(const ExportOptions& options) {
   auto order = options.order;
   order.frames = options.frames == "all";
-  if (order.out.empty()) order.out = order.folder + "/export/" + order.to;
-  const auto files = export_run(order);
+  const auto done = export_run(order);
   if (options.quiet) return 0;
-  for (const auto& file : files) fmt::print("{}/{}\n", order.out, file);
+  for (const auto& file : done.files) fmt::print("{}/{}\n", done.folder, file);
+  if (order.to == "csv") return 0;
+  fmt::print("{} {} of the run. ", done.moments, done.moments == 1 ? "state" : "states");
   if (order.to == "vtk") fmt::print("ParaView opens the .pvd files: grains as Point Gaussian or Glyph by diameter\n");
   if (order.to == "ovito") fmt::print("OVITO opens grains.dump; contacts.dump by Load trajectory, as bonds\n");
   return 0;
@@ -43,6 +43,7 @@ Command add_export(CLI::App& app) {
   command->add_option("--out", options->order.out, "Folder to write (default: DIR/export/FORMAT)");
   command->add_option("--frames", options->frames, "all saved frames and the last state, or the last state alone")
       ->check(CLI::IsMember({"all", "last"}));
+  command->add_flag("--overwrite", options->order.overwrite, "Write into a folder that is not empty");
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");
   return {command, [options] { return act(*options); }};
 }

@@ -2,11 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/io/exports.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 
 namespace repose {
 
@@ -40,11 +36,12 @@ Bounds2 bounds_of(const Grains<2>& grains, const Box<2>& box) {
   return bounds;
 }
 
-std::string lammps_header(const Moment& moment, const Box<2>& box, const char* what, std::size_t count) {
+// All numbers are printed in the fewest digits that read back as the same bits.
+
+void print_header(WholeFile& file, const Moment& moment, const Box<2>& box, const char* what, std::size_t count) {
   const auto bounds = bounds_of(moment.grains, box);
-  return fmt::format(
-      "ITEM: TIMESTEP\n{}\nITEM: TIME\n{:.17g}\nITEM: NUMBER OF {}\n{}\nITEM: BOX BOUNDS {} ff pp\n{:.17g} {:.17g}\n"
-      "{:.17g} {:.17g}\n-0.5 0.5\n",
+  file.print(
+      "ITEM: TIMESTEP\n{}\nITEM: TIME\n{}\nITEM: NUMBER OF {}\n{}\nITEM: BOX BOUNDS {} ff pp\n{} {}\n{} {}\n-0.5 0.5\n",
       moment.step, moment.time, what, count, box.periodic ? "pp" : "ff", bounds.low[0], bounds.high[0], bounds.low[1],
       bounds.high[1]);
 }
@@ -115,72 +112,31 @@ VtkPolyData contacts_for_vtk(const Moment& moment, const Box<2>& box) {
   return data;
 }
 
-std::string grains_for_lammps(const Moment& moment, const Box<2>& box) {
+void add_grains_for_lammps(WholeFile& file, const Moment& moment, const Box<2>& box) {
   const auto& grains = moment.grains;
-  std::string text = lammps_header(moment, box, "ATOMS", grains.size());
-  text += "ITEM: ATOMS id type x y z vx vy vz omegaz radius mass fixed base\n";
-  auto out = std::back_inserter(text);
+  print_header(file, moment, box, "ATOMS", grains.size());
+  file.print("ITEM: ATOMS id type x y z vx vy vz omegaz radius mass fixed base\n");
   for (std::size_t k = 0; k < grains.size(); ++k) {
     const auto& grain = grains.line[k];
     // LAMMPS counts atoms and types from 1.
-    fmt::format_to(out, "{} {} {:.17g} {:.17g} 0 {:.17g} {:.17g} 0 {:.17g} {:.17g} {:.17g} {} {}\n", grains.id[k] + 1,
-                   grains.material[k] + 1, grain.position[0], grain.position[1], grain.velocity[0], grain.velocity[1],
-                   grain.rim_velocity / grain.radius, grain.radius, grain.mass, grain.fixed() ? 1 : 0, grains.base[k]);
+    file.print("{} {} {} {} 0 {} {} 0 {} {} {} {} {}\n", grains.id[k] + 1, grains.material[k] + 1, grain.position[0],
+               grain.position[1], grain.velocity[0], grain.velocity[1], grain.rim_velocity / grain.radius, grain.radius,
+               grain.mass, grain.fixed() ? 1 : 0, grains.base[k]);
   }
-  return text;
 }
 
-std::string contacts_for_lammps(const Moment& moment, const Box<2>& box) {
+void add_contacts_for_lammps(WholeFile& file, const Moment& moment, const Box<2>& box) {
   const auto between_grains = [](const auto& contact) { return contact.second >= 0; };
   const auto& list = moment.contacts.list;
   const auto count = static_cast<std::size_t>(std::count_if(list.begin(), list.end(), between_grains));
-  std::string text = lammps_header(moment, box, "ENTRIES", count);
-  text += "ITEM: ENTRIES index batom1 batom2 force tangential overlap sliding\n";
-  auto out = std::back_inserter(text);
+  print_header(file, moment, box, "ENTRIES", count);
+  file.print("ITEM: ENTRIES index batom1 batom2 force tangential overlap sliding\n");
   std::size_t index = 0;
   for (const auto& contact : list) {
     if (!between_grains(contact)) continue;
-    fmt::format_to(out, "{} {} {} {:.17g} {:.17g} {:.17g} {}\n", ++index, contact.first + 1, contact.second + 1,
-                   contact.normal_force, contact.tangential_force, contact.overlap, contact.sliding ? 1 : 0);
+    file.print("{} {} {} {} {} {} {}\n", ++index, contact.first + 1, contact.second + 1, contact.normal_force,
+               contact.tangential_force, contact.overlap, contact.sliding ? 1 : 0);
   }
-  return text;
-}
-
-std::string csv_of(const Hdf5Reader& file, const std::string& group, std::size_t rows) {
-  struct Column {
-    std::string name;
-    std::vector<std::string> cells;
-  };
-  std::vector<Column> columns;
-  std::string notes;
-  for (const auto& name : file.names_in(group)) {
-    const auto path = group + "/" + name;
-    const auto shape = file.shape(path);
-    if (shape.empty() || shape.size() > 2 || shape[0] != rows) continue;
-    const auto width = shape.size() == 2 ? shape[1] : 1;
-    const auto cells = file.cells(path);
-    const auto unit = file.text_or(path, "unit", "");
-    notes +=
-        fmt::format("# {}: {}{}\n", name, unit.empty() ? "" : "[" + unit + "] ", file.text_or(path, "meaning", ""));
-    for (std::size_t c = 0; c < width; ++c) {
-      constexpr const char* axes[] = {"x", "y"};
-      Column column{
-          width == 1 ? name : (width == 2 ? fmt::format("{}_{}", name, axes[c]) : fmt::format("{}_{}", name, c)), {}};
-      for (std::size_t row = 0; row < rows; ++row) column.cells.push_back(cells[row * width + c]);
-      columns.push_back(std::move(column));
-    }
-  }
-  std::string text = notes;
-  for (std::size_t c = 0; c < columns.size(); ++c) text += (c > 0 ? "," : "") + columns[c].name;
-  text += '\n';
-  for (std::size_t row = 0; row < rows && !columns.empty(); ++row) {
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-      if (c > 0) text += ',';
-      text += columns[c].cells[row];
-    }
-    text += '\n';
-  }
-  return text;
 }
 
 }  // namespace repose

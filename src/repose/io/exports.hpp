@@ -5,11 +5,10 @@
 #include "repose/core/box.hpp"
 #include "repose/core/contacts.hpp"
 #include "repose/core/grains.hpp"
-#include "repose/io/hdf5_reader.hpp"
 #include "repose/io/vtk_file.hpp"
+#include "repose/io/whole_file.hpp"
 
 #include <cstdint>
-#include <string>
 
 namespace repose {
 
@@ -28,14 +27,11 @@ VtkPolyData grains_for_vtk(const Moment& moment);
 /// nearest image, beyond the side.
 VtkPolyData contacts_for_vtk(const Moment& moment, const Box<2>& box);
 
-/// The grains as a snapshot of a LAMMPS text dump, to be put behind others. `box` is as wide as the simulation or,
-/// where it is open, as the grains.
-std::string grains_for_lammps(const Moment& moment, const Box<2>& box);
+/// Adds the grains as a snapshot of a LAMMPS text dump. `box` is as wide as the simulation or, where it is open, as the
+/// grains.
+void add_grains_for_lammps(WholeFile& file, const Moment& moment, const Box<2>& box);
 
-/// The contacts of grains with each other as a snapshot of a LAMMPS local dump, which OVITO reads as bonds.
-std::string contacts_for_lammps(const Moment& moment, const Box<2>& box);
-
-/// A group of an HDF5 file as a table: its datasets of `rows` rows, a column for each of their columns.
-std::string csv_of(const Hdf5Reader& file, const std::string& group, std::size_t rows);
+/// Adds the contacts of grains with each other as a snapshot of a LAMMPS local dump, which OVITO reads as bonds.
+void add_contacts_for_lammps(WholeFile& file, const Moment& moment, const Box<2>& box);
 
 }  // namespace repose

@@ -24,9 +24,10 @@ struct GrainRow {
   bool base = false;
 };
 
-/// Reads a table of grains: comma-separated values under a line with the names of the columns: x, y, radius or
-/// diameter, and if wanted vx, vy, spin, fixed (0 or 1); lines that begin with # are left out. Throws InputError, one
-/// line "file:line: what" for each of the first problems.
+/// Reads a table of grains (comma, semicolon or tab between the values, under a line of names) or the last snapshot of
+/// a LAMMPS text dump; which of them, the content says. Columns: docs/reference/grains-files.md. Grains that have ids
+/// come by ascending id, others as they are in the file. Throws InputError, one line "file:line: what" for each of the
+/// first 20 problems, then the number of the others.
 std::vector<GrainRow> read_grains_file(const std::string& path);
 
 }  // namespace repose

@@ -5,16 +5,12 @@
 #include "repose/core/errors.hpp"
 #include "repose/io/hdf5_handle.hpp"
 #include "repose/io/seal.hpp"
+#include "repose/io/whole_file.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
-#include <fstream>
 #include <utility>
 
 namespace repose {
@@ -38,30 +34,6 @@ bool write_attribute(hid_t file, const std::string& object, const std::string& n
   if (target.failed()) return false;
   const Handle attribute(H5Acreate2(target.id(), name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   return !attribute.failed() && H5Awrite(attribute.id(), type, value) >= 0;
-}
-
-/// Flushes a file or folder to the disk; false on failure.
-bool flush_to_disk(const std::string& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY);
-  if (descriptor < 0) return false;
-  const bool flushed = ::fsync(descriptor) == 0;
-  ::close(descriptor);
-  return flushed;
-}
-
-std::string folder_of(const std::string& path) {
-  const auto slash = path.rfind('/');
-  return slash == std::string::npos ? "." : path.substr(0, slash + 1);
-}
-
-/// Puts the finished temporary file in the place of `path`.
-void publish(const std::string& temporary, const std::string& path) {
-  if (!flush_to_disk(temporary) || std::rename(temporary.c_str(), path.c_str()) != 0) {
-    const int error = errno;
-    std::remove(temporary.c_str());
-    throw RunError(fmt::format("{}: cannot write: {}", path, std::strerror(error)));
-  }
-  flush_to_disk(folder_of(path));
 }
 
 }  // namespace
@@ -213,17 +185,9 @@ void Hdf5File::commit() {
 }
 
 void write_text_file(const std::string& path, const std::string& text) {
-  const std::string temporary = path + ".tmp";
-  errno = 0;
-  std::ofstream file(temporary, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) {
-    const int error = errno != 0 ? errno : EIO;
-    std::remove(temporary.c_str());
-    throw RunError(fmt::format("{}: cannot write: {}", path, std::strerror(error)));
-  }
-  publish(temporary, path);
+  WholeFile file(path);
+  file.write(text);
+  file.commit();
 }
 
 }  // namespace repose

@@ -162,35 +162,62 @@ std::vector<std::size_t> Hdf5Reader::shape(const std::string& name) const {
   return {sizes.begin(), sizes.end()};
 }
 
-std::vector<std::string> Hdf5Reader::cells(const std::string& name) const {
+Hdf5Reader::Values Hdf5Reader::values(const std::string& name) const {
   const Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
   if (dataset.failed()) fail(name, "no such dataset");
   const Handle type(H5Dget_type(dataset.id()), H5Tclose);
   const Handle space(H5Dget_space(dataset.id()), H5Sclose);
   const auto count = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id()));
-  std::vector<std::string> cells;
-  const auto read = [&](auto kind) {
-    std::vector<decltype(kind)> values(count);
-    if (count > 0 &&
-        H5Dread(dataset.id(), native_type<decltype(kind)>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
+  const auto read_as = [&](auto kind) -> Values {
+    using T = decltype(kind);
+    std::vector<T> values(count);
+    if (count > 0 && H5Dread(dataset.id(), native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
       fail(name, "cannot be read");
     }
-    for (const auto value : values) cells.push_back(fmt::format("{}", value));
+    return values;
   };
   switch (H5Tget_class(type.id())) {
     case H5T_INTEGER:
-      read(std::int64_t{});
-      break;
+      return read_as(std::int64_t{});
     case H5T_FLOAT:
-      H5Tget_size(type.id()) == sizeof(float) ? read(float{}) : read(double{});
-      break;
+      return H5Tget_size(type.id()) == sizeof(float) ? read_as(float{}) : read_as(double{});
     case H5T_STRING:
-      for (const auto& text : texts(name)) cells.push_back("\"" + text + "\"");
-      break;
+      return texts(name);
     default:
       fail(name, "is neither numbers nor text");
   }
-  return cells;
+}
+
+std::vector<std::pair<std::string, std::string>> Hdf5Reader::attributes(const std::string& object) const {
+  std::vector<std::string> names;
+  const auto add = [](hid_t, const char* name, const H5A_info_t*, void* list) -> herr_t {
+    static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+    return 0;
+  };
+  if (H5Aiterate_by_name(file_, object.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names, H5P_DEFAULT) < 0) {
+    fail(object, "no such object");
+  }
+  std::vector<std::pair<std::string, std::string>> found;
+  for (const auto& name : names) {
+    const Handle handle(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    const Handle type(H5Aget_type(handle.id()), H5Tclose);
+    const Handle space(H5Aget_space(handle.id()), H5Sclose);
+    if (H5Sget_simple_extent_npoints(space.id()) != 1) continue;
+    switch (H5Tget_class(type.id())) {
+      case H5T_INTEGER:
+        found.emplace_back(name, fmt::format("{}", integer(object, name)));
+        break;
+      case H5T_FLOAT:
+        found.emplace_back(name, fmt::format("{}", number(object, name)));
+        break;
+      case H5T_STRING:
+        found.emplace_back(name, text(object, name));
+        break;
+      default:
+        break;
+    }
+  }
+  return found;
 }
 
 std::string Hdf5Reader::text_or(const std::string& object, const std::string& attribute,

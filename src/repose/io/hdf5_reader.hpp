@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace repose {
@@ -42,8 +44,13 @@ class Hdf5Reader {
   /// The shape of a dataset; empty for anything else.
   std::vector<std::size_t> shape(const std::string& name) const;
 
-  /// The values of a dataset as text, row by row: numbers so that they read back the same, text in quotes.
-  std::vector<std::string> cells(const std::string& name) const;
+  /// The values of a dataset of any shape, row by row, as what they are.
+  using Values =
+      std::variant<std::vector<double>, std::vector<float>, std::vector<std::int64_t>, std::vector<std::string>>;
+  Values values(const std::string& name) const;
+
+  /// The attributes of an object that are one number or text, ascending by name, as text.
+  std::vector<std::pair<std::string, std::string>> attributes(const std::string& object) const;
 
   /// A text attribute, or `otherwise` where there is none.
   std::string text_or(const std::string& object, const std::string& attribute, const std::string& otherwise) const;

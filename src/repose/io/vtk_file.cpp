@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/io/vtk_file.hpp"
 
-#include "repose/io/hdf5_file.hpp"
+#include "repose/io/whole_file.hpp"
 
 #include <fmt/format.h>
 
 #include <bit>
-#include <cstring>
 #include <numeric>
+#include <string_view>
 
 namespace repose {
 
@@ -16,25 +16,28 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the files say so");
 
-/// The data behind the XML: each block with its size before it.
+/// The data behind the XML: each block with its size before it. It only points to the arrays, which must outlive it.
 class Appended {
  public:
   template <class T>
-  std::size_t add(const std::vector<T>& values) {
-    const auto offset = bytes_.size();
-    const std::uint64_t size = values.size() * sizeof(T);
-    append(&size, sizeof size);
-    append(values.data(), size);
+  std::uint64_t add(const std::vector<T>& values) {
+    const auto offset = size_;
+    blocks_.emplace_back(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+    size_ += sizeof(std::uint64_t) + blocks_.back().size();
     return offset;
   }
-  const std::string& bytes() const { return bytes_; }
 
- private:
-  void append(const void* data, std::size_t size) {
-    if (size > 0) bytes_.append(static_cast<const char*>(data), size);
+  void write(WholeFile& file) const {
+    for (const auto& block : blocks_) {
+      const std::uint64_t size = block.size();
+      file.write({reinterpret_cast<const char*>(&size), sizeof size});
+      file.write(block);
+    }
   }
 
-  std::string bytes_;
+ private:
+  std::vector<std::string_view> blocks_;
+  std::uint64_t size_ = 0;
 };
 
 template <class T>
@@ -60,14 +63,12 @@ std::string arrays_text(const char* element, const std::vector<VtkArray>& arrays
   return text + fmt::format("</{}>\n", element);
 }
 
-std::string cells_text(const char* element, const std::vector<std::int64_t>& connectivity, std::int64_t points_each,
-                       Appended& data) {
-  std::vector<std::int64_t> offsets;
-  for (std::size_t k = 1; k * static_cast<std::size_t>(points_each) <= connectivity.size(); ++k) {
-    offsets.push_back(static_cast<std::int64_t>(k) * points_each);
-  }
-  return fmt::format("<{}>\n", element) + array_text("connectivity", 1, connectivity, data) +
-         array_text("offsets", 1, offsets, data) + fmt::format("</{}>\n", element);
+/// Offsets of cells of `points_each` points: where each ends in the list of its points.
+std::vector<std::int64_t> ends(std::size_t cells, std::int64_t points_each) {
+  std::vector<std::int64_t> offsets(cells);
+  std::iota(offsets.begin(), offsets.end(), 1);
+  for (auto& offset : offsets) offset *= points_each;
+  return offsets;
 }
 
 }  // namespace
@@ -76,31 +77,42 @@ void write_vtp(const std::string& path, const VtkPolyData& data) {
   const auto points = data.points.size() / 3;
   std::vector<std::int64_t> vertices(data.vertices ? points : 0);
   std::iota(vertices.begin(), vertices.end(), 0);
+  const auto vertex_ends = ends(vertices.size(), 1);
+  const auto line_ends = ends(data.lines.size() / 2, 2);
   Appended appended;
-  std::string text =
+  WholeFile file(path);
+  file.print(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
-      "header_type=\"UInt64\">\n<PolyData>\n";
-  text += fmt::format(
+      "header_type=\"UInt64\">\n<PolyData>\n");
+  file.print(
       "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" "
       "NumberOfPolys=\"0\">\n",
-      points, vertices.size(), data.lines.size() / 2);
-  text += arrays_text("PointData", data.point_data, appended);
-  text += arrays_text("CellData", data.cell_data, appended);
-  text += "<Points>\n" + array_text("Points", 3, data.points, appended) + "</Points>\n";
-  text += cells_text("Verts", vertices, 1, appended);
-  text += cells_text("Lines", data.lines, 2, appended);
-  text += "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
-  write_text_file(path, text + appended.bytes() + "\n</AppendedData>\n</VTKFile>\n");
+      points, vertices.size(), line_ends.size());
+  file.write(arrays_text("PointData", data.point_data, appended));
+  file.write(arrays_text("CellData", data.cell_data, appended));
+  file.write("<Points>\n" + array_text("Points", 3, data.points, appended) + "</Points>\n");
+  const auto cells = [&](const char* element, const auto& connectivity, const auto& offsets) {
+    file.write(fmt::format("<{}>\n", element) + array_text("connectivity", 1, connectivity, appended) +
+               array_text("offsets", 1, offsets, appended) + fmt::format("</{}>\n", element));
+  };
+  cells("Verts", vertices, vertex_ends);
+  cells("Lines", data.lines, line_ends);
+  file.write("</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_");
+  appended.write(file);
+  file.write("\n</AppendedData>\n</VTKFile>\n");
+  file.commit();
 }
 
 void write_pvd(const std::string& path, const std::vector<std::pair<double, std::string>>& files) {
-  std::string text =
+  WholeFile file(path);
+  file.print(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-      "<Collection>\n";
-  for (const auto& [time, file] : files) {
-    text += fmt::format("<DataSet timestep=\"{:.17g}\" group=\"\" part=\"0\" file=\"{}\"/>\n", time, file);
+      "<Collection>\n");
+  for (const auto& [time, name] : files) {
+    file.print("<DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n", time, name);
   }
-  write_text_file(path, text + "</Collection>\n</VTKFile>\n");
+  file.print("</Collection>\n</VTKFile>\n");
+  file.commit();
 }
 
 }  // namespace repose

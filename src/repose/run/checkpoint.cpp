@@ -24,7 +24,7 @@ namespace {
 std::string path_of(const std::string& folder, int slot) { return fmt::format("{}/checkpoints/{}.h5", folder, slot); }
 
 /// Moments of a track as arrays.
-void exchange(Archive& archive, Track& track) {
+void exchange_track(Archive& archive, Track& track) {
   std::vector<double> times;
   std::vector<std::size_t> counts;
   std::vector<TrackedGrain> grains;
@@ -77,7 +77,7 @@ void write_checkpoint(const std::string& folder, int slot, Simulation& simulatio
   simulation.exchange(archive);
   const auto& track = simulation.track();
   Track pending(track.begin() + static_cast<std::ptrdiff_t>(state.moments), track.end());
-  exchange(archive, pending);
+  exchange_track(archive, pending);
   file.commit();
 }
 
@@ -118,7 +118,7 @@ FolderState Checkpoint::restore(Simulation& simulation) const {
   ArchiveReader archive(file_, "state");
   simulation.exchange(archive);
   Track pending;
-  exchange(archive, pending);
+  exchange_track(archive, pending);
   track.insert(track.end(), pending.begin(), pending.end());
   simulation.restored(std::move(track));
   return state;

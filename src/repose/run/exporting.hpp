@@ -10,12 +10,20 @@ namespace repose {
 /// What to export of a run folder, and where to.
 struct ExportOrder {
   std::string folder;
-  std::string to;  ///< "vtk", "ovito" or "csv"
-  std::string out;
-  bool frames = true;  ///< the saved frames too, not the last state alone; not for "csv"
+  std::string to;          ///< "vtk", "ovito" or "csv"
+  std::string out;         ///< "": export/`to` in the run folder, which is replaced without asking
+  bool frames = true;      ///< the saved frames too, not the last state alone; not for "csv"
+  bool overwrite = false;  ///< `out` may hold other files already
 };
 
-/// Writes it; returns the names of the files, those of a series by the file that opens it. Throws InputError, RunError.
-std::vector<std::string> export_run(const ExportOrder& order);
+/// What an export wrote.
+struct Exported {
+  std::string folder;
+  std::vector<std::string> files;  ///< those to open: of a series the file that names its parts
+  std::size_t moments = 0;         ///< states of the run that they hold
+};
+
+/// Writes it, or nothing if anything fails. Throws InputError, RunError.
+Exported export_run(const ExportOrder& order);
 
 }  // namespace repose

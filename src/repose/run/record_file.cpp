@@ -383,7 +383,7 @@ std::string read_run_scene(const std::string& folder) {
   return kept_scene(file);
 }
 
-Record read_record(const std::string& folder) {
+Record read_last_state(const std::string& folder) {
   std::error_code error;
   if (!std::filesystem::is_directory(folder, error)) throw InputError(fmt::format("{}: no such folder", folder));
   for (const auto* name : {"scene.toml", "run.h5"}) {
@@ -399,6 +399,12 @@ Record read_record(const std::string& folder) {
   record.grains = read_grains<2>(file);
   record.contacts = read_contacts<2>(file);
   check_partners(file, record);
+  return record;
+}
+
+Record read_record(const std::string& folder) {
+  Record record = read_last_state(folder);
+  const Hdf5Reader file(folder + "/run.h5");
   record.series = read_series(file);
   record.walls = read_wall_series(file, make_walls(record.scene).size(), record.series.size());
   if (record.scene.output.energy) read_energy(file, record.series);

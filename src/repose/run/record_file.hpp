@@ -27,6 +27,9 @@ RunFacts read_run_facts(const std::string& folder);
 /// Text of the scene of a run.h5, as it was run. Throws InputError.
 std::string read_run_scene(const std::string& folder);
 
+/// The last state of a run folder: the record without series, base and track. Throws as read_record does.
+Record read_last_state(const std::string& folder);
+
 /// Reads scene.toml and run.h5 of a run folder. Throws InputError if there is none or it is damaged.
 Record read_record(const std::string& folder);
 

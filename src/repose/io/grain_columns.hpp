@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/io/grains_file.hpp"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// For the readers of files of grains only: lines, columns and cells, and what is wrong with them.
+
+namespace repose {
+
+/// The problems of one file: the first ones one line each, then how many more there are.
+class FileProblems {
+ public:
+  explicit FileProblems(std::string path) : path_(std::move(path)) {}
+
+  void add(std::size_t line, const std::string& what);
+  [[noreturn]] void stop() const;
+  [[noreturn]] void stop(std::size_t line, const std::string& what) {
+    add(line, what);
+    stop();
+  }
+  /// Throws InputError if there are any.
+  void check() const {
+    if (count_ > 0) stop();
+  }
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+  std::vector<std::string> lines_;
+  std::size_t count_ = 0;
+};
+
+/// What a column of a file holds of a grain.
+enum class GrainColumn { none, id, x, y, z, vx, vy, spin, radius, diameter, mass, material, type, fixed, base };
+
+/// A whole cell as a number; none where it is something else, or neither finite nor in range.
+std::optional<double> number_of(std::string_view cell);
+std::optional<std::int64_t> integer_of(std::string_view cell);
+
+/// Linear map of what is in a column for positions: box-scaled ones count from side to side.
+struct Scaling {
+  double origin = 0.0;
+  double length = 1.0;
+};
+
+/// Reads lines of cells as grains.
+class GrainLines {
+ public:
+  GrainLines(FileProblems& problems, std::vector<GrainColumn> columns, std::vector<std::string> names,
+             std::array<Scaling, 2> scaling = {});
+
+  /// One line; what is wrong with it goes to the problems.
+  void read(std::size_t line, const std::vector<std::string_view>& cells);
+
+  /// The grains, by ascending id where they have one. Throws InputError if there was any problem.
+  std::vector<GrainRow> take();
+
+ private:
+  bool set(GrainRow& row, std::size_t column, std::size_t line, std::string_view cell);
+  void check_ids();
+
+  FileProblems& problems_;
+  std::vector<GrainColumn> columns_;
+  std::vector<std::string> names_;
+  std::array<Scaling, 2> scaling_;
+  std::optional<double> z_;  // of the first grain
+  std::vector<GrainRow> rows_;
+  std::vector<std::size_t> lines_;  // of the rows, as far as they have ids
+};
+
+/// Readers of the two kinds of file; `file` is at its start. Throw InputError.
+std::vector<GrainRow> read_grains_table(std::istream& file, FileProblems& problems);
+std::vector<GrainRow> read_lammps_dump(std::istream& file, FileProblems& problems);
+
+}  // namespace repose
