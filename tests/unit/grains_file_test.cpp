@@ -167,6 +167,25 @@ TEST_F(GrainsFileTest, TheLastSnapshotOfADumpCounts) {
   EXPECT_EQ(rows[0].position, (Vec<2>{{2.0, 3.0}}));
 }
 
+TEST_F(GrainsFileTest, ASnapshotOfADumpCanBeAskedFor) {
+  std::ofstream(path("f")) << snapshot("x y radius", "1 1 1\n", 1, 10) +
+                                  snapshot("x y radius", "2 2 1\n3 3 1\n", 2, 20) +
+                                  snapshot("x y radius", "bad 4 1\n", 1, 30) + "ITEM: TIMESTEP\n40\n";
+  EXPECT_EQ(read_grains_file(path("f"), 10).at(0).position[0], 1.0);
+  EXPECT_EQ(read_grains_file(path("f"), 20).size(), 2U);
+  EXPECT_THROW(read_grains_file(path("f"), 30), InputError);
+  EXPECT_THROW(read_grains_file(path("f")), InputError) << "the last one is not complete";
+  std::ofstream(path("g")) << snapshot("x y radius", "1 1 1\n", 1, 10);
+  try {
+    read_grains_file(path("g"), 11);
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()), path("g") + ":10: no snapshot of step 11; the last is of step 10");
+  }
+  std::ofstream(path("t")) << "x,y,radius\n1,1,1\n";
+  EXPECT_THROW(read_grains_file(path("t"), 0), InputError);
+}
+
 TEST_F(GrainsFileTest, ProblemsOfDumps) {
   const auto only = [&](const std::string& text, const std::string& line) { EXPECT_EQ(refused(text), (Lines{line})); };
   const std::string columns = "9: must have the columns x y (or xu yu, xs ys, xsu ysu) and radius or diameter";
@@ -182,6 +201,7 @@ TEST_F(GrainsFileTest, ProblemsOfDumps) {
        "11: z = 0.6: must be the same for all grains (0.5 before): they are discs in a plane");
   only(snapshot("xs ys radius", "0 0 1\n", 1, 5, "xy xz yz pp pp pp\n0 9 1\n0 8 0\n0 1 0\n"),
        "9: scaled positions in a tilted box: dump x y or xu yu");
+  only("ITEM: TIMESTEP\nsoon\n", "2: must be the number of a step");
   only("ITEM: TIMESTEP\n", "1: the file ends in the middle of a snapshot");
   only("ITEM: TIMESTEP\n3\nITEM: NUMBER OF ATOMS\n1\n", "4: the file ends in the middle of a snapshot");
   only("ITEM: TIMESTEP\n3\nITEM: NUMBER OF ATOMS\n-1\n", "4: must be the number of atoms");

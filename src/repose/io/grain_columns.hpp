@@ -75,8 +75,8 @@ class GrainLines {
   std::vector<std::size_t> lines_;  // of the rows, as far as they have ids
 };
 
-/// Readers of the two kinds of file; `file` is at its start. Throw InputError.
+/// Readers of the two kinds of file, which is at its start. Throw InputError.
 std::vector<GrainRow> read_grains_table(std::istream& file, FileProblems& problems);
-std::vector<GrainRow> read_lammps_dump(std::istream& file, FileProblems& problems);
+std::vector<GrainRow> read_lammps_dump(std::istream& file, FileProblems& problems, std::int64_t step);
 
 }  // namespace repose

@@ -21,7 +21,7 @@ bool binary(std::string_view head) {
 
 }  // namespace
 
-std::vector<GrainRow> read_grains_file(const std::string& path) {
+std::vector<GrainRow> read_grains_file(const std::string& path, std::int64_t step) {
   std::ifstream file(path, std::ios::binary);
   std::string head(4096, '\0');
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
@@ -35,7 +35,9 @@ std::vector<GrainRow> read_grains_file(const std::string& path) {
   FileProblems problems(path);
   const auto begin = head.find_first_not_of(" \t\r\n");
   const bool dump = begin != std::string::npos && head.compare(begin, 5, "ITEM:") == 0;
-  return dump ? read_lammps_dump(file, problems) : read_grains_table(file, problems);
+  if (dump) return read_lammps_dump(file, problems, step);
+  if (step != last_snapshot) throw InputError(fmt::format("{}: is a table: it has no snapshot of step {}", path, step));
+  return read_grains_table(file, problems);
 }
 
 }  // namespace repose

@@ -46,16 +46,19 @@ void split(std::string_view line, std::vector<std::string_view>& cells) {
 /// Goes through a dump item by item.
 class Dump {
  public:
-  Dump(std::istream& file, FileProblems& problems) : file_(file), problems_(problems) {}
+  Dump(std::istream& file, FileProblems& problems, std::int64_t wanted)
+      : file_(file), problems_(problems), wanted_(wanted) {}
 
-  std::vector<GrainRow> last_snapshot() {
+  std::vector<GrainRow> read() {
     while (next()) read_item(false);
-    if (!start_) problems_.stop(1, "no snapshot: no ITEM: TIMESTEP");
-    if (!complete_) problems_.stop(line_, "the file ends in the middle of a snapshot");
+    if (!started_) problems_.stop(1, "no snapshot: no ITEM: TIMESTEP");
+    if (!complete_ && (wanted_ == last_snapshot || !start_))
+      problems_.stop(line_, "the file ends in the middle of a snapshot");
+    if (!start_) problems_.stop(line_, fmt::format("no snapshot of step {}; the last is of step {}", wanted_, step_));
     file_.clear();
     file_.seekg(start_->place);
     line_ = start_->line;
-    while (next()) read_item(true);
+    while (!grains_ && next()) read_item(true);
     return grains_->take();
   }
 
@@ -81,11 +84,15 @@ class Dump {
     if (cells_.front() != "ITEM:") problems_.stop(line_, "must be an ITEM: of a LAMMPS text dump");
     if (is({"TIMESTEP"})) {
       if (started_ && !complete_) problems_.stop(line_, "a snapshot begins before the one above has its ITEM: ATOMS");
-      start_ = {before_, line_ - 1};
+      const Start here{before_, line_ - 1};
       started_ = true;
       complete_ = false;
       count_.reset();
       demand_next("a snapshot");
+      const auto step = cells_.size() == 1 ? integer_of(cells_.front()) : std::nullopt;
+      if (!step) problems_.stop(line_, "must be the number of a step");
+      step_ = *step;
+      if (wanted_ == last_snapshot || step_ == wanted_) start_ = here;
     } else if (is({"TIME"}) || is({"UNITS"})) {
       demand_next("a snapshot");
     } else if (is({"NUMBER", "OF", "ATOMS"})) {
@@ -159,7 +166,9 @@ class Dump {
   std::string text_;
   std::vector<std::string_view> cells_;  // of it
   std::size_t line_ = 0;
-  std::optional<Start> start_;  // of the latest snapshot
+  std::int64_t wanted_;
+  std::int64_t step_ = 0;       // of the latest snapshot
+  std::optional<Start> start_;  // of the wanted one
   bool started_ = false;
   bool complete_ = false;
   std::optional<std::int64_t> count_;
@@ -170,8 +179,8 @@ class Dump {
 
 }  // namespace
 
-std::vector<GrainRow> read_lammps_dump(std::istream& file, FileProblems& problems) {
-  return Dump(file, problems).last_snapshot();
+std::vector<GrainRow> read_lammps_dump(std::istream& file, FileProblems& problems, std::int64_t step) {
+  return Dump(file, problems, step).read();
 }
 
 }  // namespace repose

@@ -51,13 +51,16 @@ std::string start_file(const std::string& from) {
   return fs::is_directory(from, error) ? (fs::path(from) / "run.h5").string() : from;
 }
 
-StartState read_start(const std::string& file) {
+StartState read_start(const std::string& file, std::int64_t step) {
   std::error_code error;
   if (!fs::exists(file, error)) throw InputError(fmt::format("{}: no such file", file));
   if (!fs::is_regular_file(file, error)) throw InputError(fmt::format("{}: is no regular file", file));
-  if (fs::path(file).extension() == ".h5") return read_run(file);
+  if (fs::path(file).extension() == ".h5") {
+    if (step != last_snapshot) throw InputError(fmt::format("{}: is a run: it has no snapshot of step {}", file, step));
+    return read_run(file);
+  }
   StartState state;
-  state.grains = read_grains_file(file);
+  state.grains = read_grains_file(file, step);
   return state;
 }
 

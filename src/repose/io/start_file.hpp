@@ -21,7 +21,8 @@ struct StartState {
 /// The file that `from` means: run.h5 of a run folder, or itself.
 std::string start_file(const std::string& from);
 
-/// Reads a run.h5, or a file of grains, by the ending of its name. Throws InputError, one line for each problem.
-StartState read_start(const std::string& file);
+/// Reads a run.h5, or a file of grains, by the ending of its name; of a dump the snapshot of this step. Throws
+/// InputError, one line for each problem.
+StartState read_start(const std::string& file, std::int64_t step);
 
 }  // namespace repose

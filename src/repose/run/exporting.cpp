@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <functional>
 #include <set>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -60,7 +61,7 @@ void check_moment(const std::string& path, const Moment& moment) {
 using Use = std::function<void(const Moment&, std::size_t number)>;
 
 /// Goes through the saved frames, in order, and the last state, one at a time; returns how many these are.
-std::size_t for_every_moment(const ExportOrder& order, const Record& last, const Use& use) {
+std::size_t for_every_moment(const ExportOrder& order, Record last, const Use& use) {
   std::size_t number = 0;
   for (const auto& path : frame_files(order)) {
     const auto moment = read_frame(path);
@@ -68,16 +69,16 @@ std::size_t for_every_moment(const ExportOrder& order, const Record& last, const
     check_moment(path, moment);
     use(moment, number++);
   }
-  use({last.facts.time, last.facts.steps, last.grains, last.contacts}, number);
+  use({last.facts.time, last.facts.steps, std::move(last.grains), std::move(last.contacts)}, number);
   return number + 1;
 }
 
 void export_vtk(const ExportOrder& order, const std::string& folder, Exported& done) {
-  const auto last = read_last_state(order.folder);
+  auto last = read_last_state(order.folder);
   const auto box = make_box(last.scene);
   std::vector<std::pair<double, std::string>> grains;
   std::vector<std::pair<double, std::string>> contacts;
-  done.moments = for_every_moment(order, last, [&](const Moment& moment, std::size_t number) {
+  done.moments = for_every_moment(order, std::move(last), [&](const Moment& moment, std::size_t number) {
     grains.emplace_back(moment.time, fmt::format("grains_{}.vtp", numbered(number)));
     contacts.emplace_back(moment.time, fmt::format("contacts_{}.vtp", numbered(number)));
     write_vtp(folder + "/" + grains.back().second, grains_for_vtk(moment));
@@ -89,11 +90,11 @@ void export_vtk(const ExportOrder& order, const std::string& folder, Exported& d
 }
 
 void export_ovito(const ExportOrder& order, const std::string& folder, Exported& done) {
-  const auto last = read_last_state(order.folder);
+  auto last = read_last_state(order.folder);
   const auto box = make_box(last.scene);
   WholeFile grains(folder + "/grains.dump");
   WholeFile contacts(folder + "/contacts.dump");
-  done.moments = for_every_moment(order, last, [&](const Moment& moment, std::size_t) {
+  done.moments = for_every_moment(order, std::move(last), [&](const Moment& moment, std::size_t) {
     add_grains_for_lammps(grains, moment, box);
     add_contacts_for_lammps(contacts, moment, box);
   });
@@ -134,17 +135,13 @@ void move_in(const fs::path& from, const fs::path& to) {
   for (const auto& name : written) fs::rename(from / name, to / name);
 }
 
-void check_run(const std::string& folder) {
-  read_run_facts(folder);  // throws where there is no run, before anything is written
-}
-
 }  // namespace
 
 Exported export_run(const ExportOrder& order) {
   std::error_code error;
   if (!fs::is_directory(order.folder, error)) throw InputError(fmt::format("{}: no such folder", order.folder));
   if (!is_there(order.folder + "/run.h5")) throw InputError(fmt::format("{}: holds no run: no run.h5", order.folder));
-  check_run(order.folder);
+  read_run_facts(order.folder);  // throws before anything is written
   Exported done;
   done.folder = order.out.empty() ? order.folder + "/export/" + order.to : order.out;
   if (const auto problems = folder_problems(done.folder); !problems.empty()) throw InputError(problems);

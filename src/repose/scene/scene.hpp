@@ -140,8 +140,9 @@ struct Scene {
 
   /// Grains that are there at the start, from elsewhere.
   struct Start {
-    std::string from;      ///< a run folder, its run.h5, or a file of grains; "": nothing
-    bool at_rest = false;  ///< velocities are left behind
+    std::string from;        ///< a run folder, its run.h5, or a file of grains; "": nothing
+    std::int64_t step = -1;  ///< of the snapshot of a LAMMPS dump; -1: the last
+    bool at_rest = false;    ///< velocities are left behind
 
     // What `read_scene` finds there.
     std::string path;        ///< from, as the program opens it

@@ -52,7 +52,11 @@ void lattice_keys(Scene& scene, Keys& keys) {
 void source_keys(Scene& scene, Keys& keys) {
   keys.text("start.from", scene.start.from, "",
             "grains there at the start: a run folder whose end it is, or a file of grains; relative to this file");
-  if (!scene.start.from.empty()) keys.flag("start.at_rest", scene.start.at_rest, false, "they begin without motion");
+  if (!scene.start.from.empty()) {
+    keys.integer("start.step", scene.start.step, -1, -1,
+                 "of the snapshot of a LAMMPS dump to start from; -1: the last");
+    keys.flag("start.at_rest", scene.start.at_rest, false, "they begin without motion");
+  }
   placed_keys(scene, keys);
   keys.choice("source.kind", scene.source.kind, "none", {"pour", "rain", "lattice", "none"},
               "where grains come from: poured from an opening, rained over a width, or there at the start as a "

@@ -77,7 +77,7 @@ void look_at_start(Scene& scene, Reader& reader, const std::string& folder) {
   const fs::path beside = reader.from_command_line("start.from") ? fs::path() : fs::path(folder);
   start.path = start_file((beside / start.from).string());
   try {
-    const auto state = read_start(start.path);
+    const auto state = read_start(start.path, start.step);
     take_facts(state, scene);
     check_grains(state, scene, reader);
     start.histories = !state.scene.empty() && tangential_law_of(state.scene, start.path) == tangential_law_of(scene);
