@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repose/core/random.hpp"
 #include "repose/core/size_distribution.hpp"
+
+#include "repose/core/random.hpp"
 
 #include <gtest/gtest.h>
 

@@ -133,7 +133,8 @@ TEST(Room, AgreesWithAllPairs) {
 
 const std::string two_species =
     "[[material]]\nname = \"light\"\n[[material]]\nname = \"heavy\"\ndensity = 3.0\n"
-    "[[species]]\nname = \"a\"\nmaterial = \"heavy\"\nshare = 1\nsizes = { kind = \"uniform\", low = 0.5, high = 0.7 }\n"
+    "[[species]]\nname = \"a\"\nmaterial = \"heavy\"\nshare = 1\nsizes = { kind = \"uniform\", low = 0.5, high = 0.7 "
+    "}\n"
     "[[species]]\nname = \"b\"\nmaterial = \"light\"\nshare = 3\nsizes = { diameter = 2.0 }\n";
 
 // Shares of 20000 grains within 4 standard errors: of a fraction p by number sqrt(p (1 - p) / n); by mass the number
@@ -169,11 +170,11 @@ TEST(GrainDraw, SharesByNumberAndByMass) {
 // gaps. Heights within the roughness, both of its halves used; nothing but neighbours comes near.
 TEST(DepositedBase, LetsNothingThrough) {
   for (const bool periodic : {false, true}) {
-    const auto scene = read_scene_text(
-        stop + hooke + "base = { kind = \"deposited\", roughness = 0.25, half_width = 20 }\n" +
-            (periodic ? "box = { x = \"periodic\" }\n" : "") +
-            "source = { kind = \"pour\", count = 1, rate = 1, height = 9 }\n" + two_species,
-        "scene.toml");
+    const auto scene =
+        read_scene_text(stop + hooke + "base = { kind = \"deposited\", roughness = 0.25, half_width = 20 }\n" +
+                            (periodic ? "box = { x = \"periodic\" }\n" : "") +
+                            "source = { kind = \"pour\", count = 1, rate = 1, height = 9 }\n" + two_species,
+                        "scene.toml");
     const auto base = initial_grains(scene);
     const auto box = make_box(scene);
     const auto n = base.size();

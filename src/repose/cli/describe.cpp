@@ -97,8 +97,7 @@ std::string describe(const Scene& scene) {
   for (const auto& species : scene.species) text += species_text(species, scene);
   if (!scene.start.from.empty()) {
     text += fmt::format("start            {}: {} moving grains{}{}\n", scene.start.path, scene.start.moving,
-                        scene.start.histories ? ", contacts remembered" : "",
-                        scene.start.at_rest ? ", from rest" : "");
+                        scene.start.histories ? ", contacts remembered" : "", scene.start.at_rest ? ", from rest" : "");
   }
   text += laws_text(scene.contact, scene, " ");
   for (const auto& pair : scene.pairs) {

@@ -70,7 +70,9 @@ class Table {
     }
   }
 
-  bool has(const std::string& name) const { return std::find(columns_.begin(), columns_.end(), name) != columns_.end(); }
+  bool has(const std::string& name) const {
+    return std::find(columns_.begin(), columns_.end(), name) != columns_.end();
+  }
 
   void read_row(const std::vector<std::string>& cells, std::vector<GrainRow>& rows) {
     if (cells.size() != columns_.size()) {

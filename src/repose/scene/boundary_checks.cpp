@@ -103,10 +103,10 @@ void check_boundaries(const Scene& scene, Reader& reader) {
   const double through = d + (scene.species.empty() ? d : scene.smallest_drawn());
   if (scene.base.kind == "row" && reader.sound("base.spacing") && reader.sound("grains.diameter") &&
       scene.base.spacing >= through) {
-    reader.problem("base.spacing",
-                   fmt::format(" = {}: must be < {}, {}, or grains fall through the base [L]", scene.base.spacing,
-                               through,
-                               scene.species.empty() ? "two diameters" : "a diameter and that of the smallest grain"));
+    reader.problem(
+        "base.spacing",
+        fmt::format(" = {}: must be < {}, {}, or grains fall through the base [L]", scene.base.spacing, through,
+                    scene.species.empty() ? "two diameters" : "a diameter and that of the smallest grain"));
   }
   for (std::size_t k = 0; k < scene.planes.size(); ++k) {
     const auto prefix = fmt::format("plane[{}].", k);

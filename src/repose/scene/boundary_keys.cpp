@@ -37,8 +37,9 @@ void box_keys(Scene& scene, Keys& keys) {
   const double room = scene.base.of_grains() ? scene.base.half_width : 200.0 * d;
   keys.number("box.half_width", scene.box.half_width, scene.box.x == "periodic" ? room : room + 20.0 * d, positive, "L",
               "x from -half_width to half_width");
-  keys.optional_number("box.floor", scene.box.floor, "auto", any, "L",
-                       "grains that fall below are lost and counted; \"auto\": 5 diameters below base grains, else nowhere");
+  keys.optional_number(
+      "box.floor", scene.box.floor, "auto", any, "L",
+      "grains that fall below are lost and counted; \"auto\": 5 diameters below base grains, else nowhere");
 }
 
 void motion_keys(const std::string& prefix, Scene::Wall& wall, Keys& keys) {

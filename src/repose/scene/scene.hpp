@@ -144,7 +144,7 @@ struct Scene {
     bool at_rest = false;  ///< velocities are left behind
 
     // What `read_scene` finds there.
-    std::string path;  ///< from, as the program opens it
+    std::string path;        ///< from, as the program opens it
     bool histories = false;  ///< contacts remember what they did in the run that it comes from
     bool base = false;       ///< some of the grains are base grains
     std::int64_t moving = 0;

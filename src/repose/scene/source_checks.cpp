@@ -35,9 +35,9 @@ void check_block(const Scene& scene, Reader& reader) {
   const auto& source = scene.source;
   if (static_cast<double>(source.rows) * static_cast<double>(source.columns) > most_grains &&
       reader.sound("source.rows")) {
-    reader.problem("source.rows", fmt::format(" = {}: the block would have {:.3g} grains; at most {:g}", source.rows,
-                                              static_cast<double>(source.rows) * static_cast<double>(source.columns),
-                                              most_grains));
+    reader.problem("source.rows",
+                   fmt::format(" = {}: the block would have {:.3g} grains; at most {:g}", source.rows,
+                               static_cast<double>(source.rows) * static_cast<double>(source.columns), most_grains));
   }
   const double width = static_cast<double>(source.columns) * scene.block_pitch();
   const double room = scene.box.half_width;
@@ -52,8 +52,9 @@ void check_block(const Scene& scene, Reader& reader) {
   // Every other row stands out by half a pitch, and in hollows the block may be half a pitch off.
   const double half = 0.5 * width + (scene.block_nests() ? 0.75 : 0.25) * scene.block_pitch();
   if (std::fabs(source.x) + half > room) {
-    reader.problem("source.columns", fmt::format(" = {}: the block must lie within the box, x = +-{}; it reaches {:.6g}",
-                                                 source.columns, room, std::fabs(source.x) + half));
+    reader.problem("source.columns",
+                   fmt::format(" = {}: the block must lie within the box, x = +-{}; it reaches {:.6g}", source.columns,
+                               room, std::fabs(source.x) + half));
   }
 }
 

@@ -13,8 +13,7 @@ void placed_keys(Scene& scene, Keys& keys) {
     keys.vector(prefix + "position", grain.position, std::nullopt, "L", "centre at the start");
     keys.vector(prefix + "velocity", grain.velocity, at_rest, "L/T", "at the start");
     keys.number(prefix + "spin", grain.spin, 0.0, any, "1/T", "angular velocity, counter-clockwise");
-    keys.number(prefix + "diameter", grain.diameter, scene.grains.diameter, positive, "L",
-                "mass goes with its square");
+    keys.number(prefix + "diameter", grain.diameter, scene.grains.diameter, positive, "L", "mass goes with its square");
     keys.flag(prefix + "fixed", grain.fixed, false, "never moves nor turns");
     material_key(prefix + "material", grain.material, scene, keys);
   });

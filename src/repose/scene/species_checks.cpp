@@ -30,8 +30,8 @@ void check_range(const std::string& prefix, const Scene::Species::Sizes& sizes, 
   if (!reader.sound(prefix + "low") || !reader.sound(prefix + "high")) return;
   const bool uniform = sizes.kind == "uniform";
   if (sizes.high < sizes.low || (!uniform && sizes.high == sizes.low)) {
-    return reader.problem(prefix + "high", fmt::format(" = {}: must be {} low = {} [L]", sizes.high,
-                                                       uniform ? ">=" : ">", sizes.low));
+    return reader.problem(prefix + "high",
+                          fmt::format(" = {}: must be {} low = {} [L]", sizes.high, uniform ? ">=" : ">", sizes.low));
   }
   constexpr double least_part = 1e-3;
   if (uniform || !reader.sound(prefix + "mean") || !reader.sound(prefix + "deviation")) return;
@@ -68,8 +68,8 @@ void check_lists(const std::string& prefix, const Scene::Species::Sizes& sizes, 
     if (!(sum > 0.0) || !std::isfinite(sum)) reader.problem(prefix + "weights", ": must have a finite sum > 0");
     return;
   }
-  if (diameters.size() < 2 || std::adjacent_find(diameters.begin(), diameters.end(), std::greater_equal<>()) !=
-                                  diameters.end()) {
+  if (diameters.size() < 2 ||
+      std::adjacent_find(diameters.begin(), diameters.end(), std::greater_equal<>()) != diameters.end()) {
     return reader.problem(prefix + "diameters", ": must be at least two numbers, each larger than the one before [L]");
   }
   const auto& passing = sizes.passing;

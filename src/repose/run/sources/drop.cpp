@@ -27,8 +27,8 @@ long Drop::next_step() const {
 }
 
 double Drop::waiting(long step) const {
-  return std::max(0.0, static_cast<double>(step) * time_step_ -
-                           std::max(due(), static_cast<double>(last_) * time_step_));
+  return std::max(0.0,
+                  static_cast<double>(step) * time_step_ - std::max(due(), static_cast<double>(last_) * time_step_));
 }
 
 std::string Drop::buried() const {
