@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from repose.analysis import Analysis
-from repose.hdf5 import RunFolderError, Table, attributes_of, check_format, one_line, opened
+from repose.hdf5 import RunFolderError, Table, attributes_of, can_hash, check_format, one_line, opened, xxhash
 
 FORMAT_VERSION = 3
 NEEDED = set("title units dimension time status grain_diameter grain_weight periodic x_min x_max".split())
@@ -151,6 +151,11 @@ def _read_summary(path):
     if not path.is_file():
         return {}
     try:
-        return json.loads(path.read_text(encoding="utf-8"))
+        content = path.read_bytes()
+        summary = json.loads(content.decode("utf-8"))
     except (OSError, ValueError) as error:
         raise RunFolderError(f"{path}: cannot be read: {one_line(error)}") from error
+    text, key, end = content.rpartition(b',\n  "checksum": ')
+    if key and can_hash() and end != f'"{xxhash.xxh3_128_hexdigest(text)}"\n}}\n'.encode():
+        raise RunFolderError(f"{path}: damaged: its content is not what was written")
+    return summary

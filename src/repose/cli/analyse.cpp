@@ -3,13 +3,16 @@
 #include "repose/cli/commands.hpp"
 #include "repose/cli/describe.hpp"
 #include "repose/core/errors.hpp"
+#include "repose/run/folders.hpp"
 #include "repose/run/record_file.hpp"
 #include "repose/run/run_folder.hpp"
 #include "repose/run/sweep_folder.hpp"
+#include "repose/scene/toml_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <memory>
 #include <string>
 
@@ -29,7 +32,12 @@ int act(const AnalyseOptions& options) {
     if (!options.quiet) fmt::print("analysed         {} members; wrote the tables of {}\n", members, options.folder);
     return 0;
   }
+  const FolderLock lock(options.folder);
   const auto record = read_record(options.folder);
+  if (read_run_scene(options.folder) != text_of_file(options.folder + "/scene.toml")) {
+    fmt::print(stderr, "{}/scene.toml: was changed since the run; its [analysis] is taken as it is now\n",
+               options.folder);
+  }
   const auto reading = read(record);
   write_reading(options.folder, record, reading);
   if (!options.quiet) fmt::print("{}", describe_result(record, reading));

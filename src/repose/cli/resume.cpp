@@ -4,6 +4,7 @@
 #include "repose/cli/commands.hpp"
 #include "repose/core/errors.hpp"
 #include "repose/run/resuming.hpp"
+#include "repose/run/sweep_folder.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace repose {
 
@@ -23,15 +25,25 @@ struct ResumeOptions {
 };
 
 int act(const ResumeOptions& options) {
-  const auto found = find_interrupted(options.folder);
+  if (SweepFolder::is_one(options.folder)) {
+    throw InputError(
+        fmt::format("{0}: is a sweep, not a run: repose sweep {0}/sweep.toml goes on with it", options.folder));
+  }
+  auto found = find_interrupted(options.folder);
   for (const auto& problem : found.damaged) {
     fmt::print(stderr, "repose: {}{}\n", problem, found.checkpoint ? "; going on from the other checkpoint" : "");
   }
   if (found.finished) {
-    if (!options.quiet) fmt::print("{}: the run is finished\n", options.folder);
+    if (!options.quiet) {
+      fmt::print("{}: the run is finished{}\n", options.folder,
+                 found.completed ? "; its analysis was cut off and has been made now" : "");
+    }
     return 0;
   }
   Simulation simulation(found.scene, threads_for(found.scene, options.threads));
+  const auto frames =
+      found.checkpoint ? damaged_frames(options.folder, found.checkpoint->frames()) : std::vector<std::string>();
+  for (const auto& problem : frames) fmt::print(stderr, "repose: {}; this frame is lost\n", problem);
   auto folder = taken_up(options.folder, found, simulation);
   if (!options.quiet) {
     fmt::print("resumed          at time {:.6g}, step {}{}\n", simulation.time(), simulation.steps(),

@@ -36,10 +36,16 @@ class Archive {
   /// Whether the objects are being filled in.
   virtual bool restoring() const = 0;
 
+  /// To be told whether what was given back under this name fits the rest; what does not is refused.
+  void check(const std::string& name, bool fits) const {
+    if (restoring() && !fits) refuse(name);
+  }
+
  protected:
   /// `count` items of `item` bytes at `data`; when restoring, `room` makes room for as many as were kept.
   virtual void block(const std::string& name, std::size_t item, std::size_t count, const void* data,
                      const std::function<void*(std::size_t count)>& room) = 0;
+  virtual void refuse(const std::string& name) const = 0;
 };
 
 }  // namespace repose

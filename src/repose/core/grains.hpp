@@ -67,6 +67,10 @@ struct Grains {
     archive.array("grains/base", base);
     archive.array("grains/reaction", reaction);
     archive.array("grains/half_step", half_step);
+    for (const auto count : {id.size(), material.size(), base.size(), reaction.size()}) {
+      archive.check("grains", count == size());
+    }
+    archive.check("grains/half_step", half_step.empty() || half_step.size() == size());
   }
 
   /// Reorders (or drops) grains: entry k of the new arrays is entry order[k] of the old.

@@ -3,8 +3,11 @@
 #pragma once
 
 #include "repose/core/archive.hpp"
+#include "repose/core/errors.hpp"
 #include "repose/io/hdf5_file.hpp"
 #include "repose/io/hdf5_reader.hpp"
+
+#include <fmt/format.h>
 
 namespace repose {
 
@@ -19,6 +22,7 @@ class ArchiveWriter final : public Archive {
              const std::function<void*(std::size_t count)>&) override {
     file_.bytes(group_ + "/" + name, item, count, data);
   }
+  void refuse(const std::string&) const override {}
 
   Hdf5File& file_;
   std::string group_;
@@ -34,6 +38,9 @@ class ArchiveReader final : public Archive {
   void block(const std::string& name, std::size_t item, std::size_t, const void*,
              const std::function<void*(std::size_t count)>& room) override {
     file_.bytes(group_ + "/" + name, item, room);
+  }
+  void refuse(const std::string& name) const override {
+    throw InputError(fmt::format("{}: {}/{}: does not fit the rest", file_.path(), group_, name));
   }
 
   const Hdf5Reader& file_;

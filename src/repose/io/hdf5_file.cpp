@@ -158,15 +158,15 @@ template void Hdf5File::dataset(const std::string&, const std::vector<std::uint8
                                 std::string_view);
 
 void Hdf5File::bytes(const std::string& name, std::size_t item, std::size_t count, const void* data) {
-  const hsize_t size = item * count;
-  const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
+  const hsize_t shape[2] = {count, item};
+  const Handle space(H5Screate_simple(2, shape, nullptr), H5Sclose);
   const Handle layout(same_bits_layout(), H5Pclose);
   const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
   H5Pset_create_intermediate_group(links.id(), 1);
   const Handle dataset(
       H5Dcreate2(file_, name.c_str(), H5T_NATIVE_UINT8, space.id(), links.id(), layout.id(), H5P_DEFAULT), H5Dclose);
   if (dataset.failed()) fail();
-  if (size > 0 && H5Dwrite(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0) fail();
+  if (count > 0 && H5Dwrite(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0) fail();
 }
 
 void Hdf5File::texts(const std::string& name, const std::vector<std::string>& values, std::string_view meaning) {

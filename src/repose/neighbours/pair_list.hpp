@@ -67,6 +67,8 @@ class PairList {
     archive.array("pairs/partner", partner);
     archive.array("pairs/history", history);
     archive.array("pairs/roll", roll);
+    archive.check("pairs/partner", row_start.empty() ? partner.empty() : row_start.back() == partner.size());
+    archive.check("pairs/history", history.size() == partner.size());
   }
 
   std::size_t rows() const { return row_start.empty() ? 0 : row_start.size() - 1; }

@@ -5,12 +5,14 @@
 #include "repose/core/errors.hpp"
 #include "repose/core/version.hpp"
 #include "repose/io/hdf5_archive.hpp"
+#include "repose/io/seal.hpp"
 #include "repose/run/folders.hpp"
 #include "repose/run/record_file.hpp"
 #include "repose/scene/write.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace fs = std::filesystem;
@@ -36,6 +38,9 @@ void exchange(Archive& archive, Track& track) {
   archive.array("track/grains", grains);
   if (!archive.restoring()) return;
   track.clear();
+  std::size_t all = 0;
+  for (const auto count : counts) all += std::min(count, grains.size() + 1);
+  archive.check("track", counts.size() == times.size() && all == grains.size());
   auto next = grains.begin();
   for (std::size_t m = 0; m < times.size(); ++m) {
     const auto end = next + static_cast<std::ptrdiff_t>(counts[m]);
@@ -45,6 +50,15 @@ void exchange(Archive& archive, Track& track) {
 }
 
 }  // namespace
+
+std::vector<std::string> damaged_frames(const std::string& folder, std::size_t count) {
+  std::vector<std::string> damaged;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto path = fmt::format("{}/frames/{}.h5", folder, numbered(k));
+    if (const auto broken = broken_seal(path); !broken.empty()) damaged.push_back(fmt::format("{}: {}", path, broken));
+  }
+  return damaged;
+}
 
 std::string numbered(std::size_t number) { return fmt::format("{:06}", number); }
 

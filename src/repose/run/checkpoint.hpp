@@ -30,6 +30,7 @@ class Checkpoint {
 
   int slot() const { return slot_; }
   const std::string& scene() const { return scene_; }  ///< its text
+  std::size_t frames() const { return state_.frames; }
 
   /// Gives a fresh simulation of the scene the state back, and says what the folder held. Throws InputError if a part
   /// of the run folder is missing or damaged.
@@ -45,6 +46,9 @@ class Checkpoint {
   long step_ = 0;
   FolderState state_;
 };
+
+/// Which of the first `count` frames of a run folder are damaged or missing, one line each.
+std::vector<std::string> damaged_frames(const std::string& folder, std::size_t count);
 
 /// Deletes the checkpoints of a run folder.
 void remove_checkpoints(const std::string& folder);

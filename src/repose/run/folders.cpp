@@ -50,6 +50,9 @@ std::vector<std::string> folder_problems(const std::string& path) {
 
 FolderLock::FolderLock(const std::string& path)
     : descriptor_(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (descriptor_ < 0 && (errno == ENOENT || errno == ENOTDIR)) {
+    throw InputError(fmt::format("{}: no such folder", path));
+  }
   if (descriptor_ < 0) throw InputError(fmt::format("{}: cannot be opened: {}", path, std::strerror(errno)));
   if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;  // not every file system has locks
   ::close(descriptor_);

@@ -19,7 +19,7 @@ std::vector<std::string> folder_problems(const std::string& path);
 /// Holds a folder for one writer as long as it lives; the system lets go of it should the program be killed.
 class FolderLock {
  public:
-  /// Throws InputError if another program has it.
+  /// Throws InputError if there is no such folder or another program has it.
   explicit FolderLock(const std::string& path);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;

@@ -50,6 +50,7 @@ struct RunFacts {
   double grain_steps = 0.0;  ///< moving grains times steps
   std::int64_t released = 0;
   std::int64_t lost = 0;
+  std::string state_hash;      ///< of the exact state, see io/state.hpp
   double support_force = 0.0;  ///< [M L/T^2] downward force on fixed grains (mean over the window) and planes (now)
 };
 

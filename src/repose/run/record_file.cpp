@@ -43,6 +43,7 @@ void write_header(Hdf5File& file, const Scene& scene, const RunFacts& facts) {
   file.attribute("/", "released", facts.released);
   file.attribute("/", "lost", facts.lost);
   file.attribute("/", "support_force", facts.support_force);
+  file.attribute("/", "state_hash", facts.state_hash);
   file.attribute("/", "gravity", std::vector<double>{0.0, -scene.gravity});
   file.attribute("/", "grain_diameter", scene.grains.diameter);
   file.attribute("/", "grain_weight", scene.grain_weight());
@@ -68,6 +69,7 @@ RunFacts read_facts(const Hdf5Reader& file) {
   facts.released = file.integer("/", "released");
   facts.lost = file.integer("/", "lost");
   facts.support_force = file.number("/", "support_force");
+  facts.state_hash = file.text("/", "state_hash");
   return facts;
 }
 
@@ -233,11 +235,15 @@ void write_base(Hdf5File& file, const BaseProfile& base) {
   file.dataset("base/shear", base.shear, 1, "grain weights", "force of the heap, positive to the right");
 }
 
+std::string kept_scene(const Hdf5Reader& file) {
+  const auto kept = file.texts("scene");
+  return kept.empty() ? "" : kept.front();
+}
+
 /// The scene that was run. Only its [analysis] may have been changed in scene.toml since then.
 Scene read_scene_of(const std::string& folder, const Hdf5Reader& file) {
   const auto scene = read_scene(folder + "/scene.toml");
-  const auto kept = file.texts("scene");
-  auto run = read_scene_text(kept.empty() ? "" : kept.front(), file.path() + ": scene");
+  auto run = read_scene_text(kept_scene(file), file.path() + ": scene");
   run.analysis = scene.analysis;
   if (scene_text(run) == scene_text(scene)) return scene;
   throw InputError(
@@ -369,6 +375,12 @@ RunFacts read_run_facts(const std::string& folder) {
   const Hdf5Reader file(folder + "/run.h5");
   check_version(file);
   return read_facts(file);
+}
+
+std::string read_run_scene(const std::string& folder) {
+  const Hdf5Reader file(folder + "/run.h5");
+  check_version(file);
+  return kept_scene(file);
 }
 
 Record read_record(const std::string& folder) {

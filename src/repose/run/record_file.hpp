@@ -24,6 +24,9 @@ void read_track_segment(const std::string& path, Track& track);
 /// The header of a run.h5: how far the run came. Throws InputError.
 RunFacts read_run_facts(const std::string& folder);
 
+/// Text of the scene of a run.h5, as it was run. Throws InputError.
+std::string read_run_scene(const std::string& folder);
+
 /// Reads scene.toml and run.h5 of a run folder. Throws InputError if there is none or it is damaged.
 Record read_record(const std::string& folder);
 

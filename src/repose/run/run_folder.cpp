@@ -13,7 +13,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 namespace fs = std::filesystem;
 
@@ -22,25 +24,42 @@ namespace repose {
 namespace {
 
 constexpr const char* own_files[] = {"scene.toml", "run.h5", "analysis.h5", "summary.json"};
-constexpr const char* own_folders[] = {"frames", "track", "checkpoints", "pictures"};
+constexpr const char* own_folders[] = {"frames", "track", "checkpoints", "export", "pictures"};
 
-bool holds_a_run(const fs::path& path) { return is_there(path / "scene.toml") && is_there(path / "run.h5"); }
+/// Where a new start is written, and its name once it is whole.
+constexpr const char* unready = "new";
+constexpr const char* ready = "ready";
+
+bool holds_a_run(const fs::path& path) {
+  return is_there(path / ready) || (is_there(path / "scene.toml") && is_there(path / "run.h5"));
+}
+
+/// Empty but for a start that was cut off before it was whole.
+bool holds_nothing(const fs::path& path) {
+  return std::all_of(fs::directory_iterator(path), fs::directory_iterator{},
+                     [](const auto& entry) { return entry.path().filename() == unready; });
+}
+
+/// What the run of a folder starts from, under whatever ending.
+std::vector<fs::path> start_files(const fs::path& path) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(path)) {
+    if (entry.is_regular_file() && entry.path().stem() == "start") files.push_back(entry.path());
+  }
+  return files;
+}
 
 void clear_older_run(const fs::path& path) {
   for (const auto* name : own_folders) fs::remove_all(path / name);
   for (const auto* name : own_files) fs::remove(path / name);
-  std::vector<fs::path> starts;
-  for (const auto& entry : fs::directory_iterator(path)) {
-    if (entry.is_regular_file() && entry.path().stem() == "start") starts.push_back(entry.path());
-  }
-  for (const auto& start : starts) fs::remove(start);
+  for (const auto& file : start_files(path)) fs::remove(file);
 }
 
 }  // namespace
 
 std::vector<std::string> RunFolder::problems(const std::string& path, bool overwrite) {
   auto found = folder_problems(path);
-  if (!found.empty() || !is_there(path) || fs::is_empty(path)) return found;
+  if (!found.empty() || !is_there(path) || holds_nothing(path)) return found;
   if (!overwrite) return {fmt::format("{}: folder is not empty; choose another --out, or --overwrite", path)};
   if (!holds_a_run(path)) {
     return {fmt::format("{}: folder is not empty and holds no run, so --overwrite leaves it alone", path)};
@@ -48,16 +67,34 @@ std::vector<std::string> RunFolder::problems(const std::string& path, bool overw
   return {};
 }
 
-RunFolder::RunFolder(std::string path, const Simulation& simulation) : path_(std::move(path)) {
+void RunFolder::complete_start(const std::string& path) {
+  const auto start = fs::path(path) / ready;
+  if (!is_there(start)) return;
+  // An older run goes first, so that as long as nothing of the start has been moved, some of it may still be there.
+  if (std::all_of(std::begin(own_files), std::end(own_files), [&](auto* name) { return is_there(start / name); })) {
+    clear_older_run(path);
+  }
+  for (const auto* name : own_files) {
+    if (is_there(start / name)) fs::rename(start / name, fs::path(path) / name);
+  }
+  // What the run starts from last: were it there while the others are not, it would go with an older run.
+  for (const auto& file : start_files(start)) fs::rename(file, fs::path(path) / file.filename());
+  fs::remove_all(start);
+}
+
+RunFolder::RunFolder(std::string path, const Simulation& simulation, std::unique_ptr<FolderLock> lock)
+    : path_(std::move(path)), lock_(std::move(lock)) {
   const auto ancestor = existing_ancestor(path_);
   std::error_code error;
   fs::create_directories(path_, error);
   if (error) throw InputError(fmt::format("{}: cannot make the folder: {}", path_, error.message()));
-  lock_ = std::make_unique<FolderLock>(path_);
+  if (!lock_) lock_ = std::make_unique<FolderLock>(path_);
   // The new start is written beside an older run, which goes only when nothing can fail any more.
-  const std::string beside = path_ + "/new";
+  const std::string beside = path_ + "/" + unready;
+  const std::string whole = path_ + "/" + ready;
   const std::string target = path_;
   try {
+    for (const auto& remains : {beside, whole}) fs::remove_all(remains);
     fs::create_directory(beside);
     path_ = beside;
     write_text_file(path_ + "/scene.toml", scene_text(simulation.scene()));
@@ -65,12 +102,10 @@ RunFolder::RunFolder(std::string path, const Simulation& simulation) : path_(std
     const auto& start = simulation.scene().start;
     if (!start.from.empty()) fs::copy_file(start.path, fs::path(beside) / start.from);
     path_ = target;
-    clear_older_run(path_);
-    if (!start.from.empty()) fs::rename(fs::path(beside) / start.from, fs::path(path_) / start.from);
-    for (const auto* name : own_files) fs::rename(fs::path(beside) / name, fs::path(path_) / name);
-    fs::remove_all(beside);
+    fs::rename(beside, whole);
+    complete_start(path_);
   } catch (const std::exception& failure) {
-    fs::remove_all(beside, error);
+    for (const auto& remains : {beside, whole}) fs::remove_all(remains, error);
     for (auto made = fs::absolute(target); made != ancestor; made = made.parent_path()) fs::remove(made, error);
     std::string why = failure.what();
     if (why.starts_with(beside)) why.replace(0, beside.size(), target);
@@ -78,8 +113,9 @@ RunFolder::RunFolder(std::string path, const Simulation& simulation) : path_(std
   }
 }
 
-RunFolder::RunFolder(std::string path, const Checkpoint& checkpoint, Simulation& simulation)
-    : path_(std::move(path)), lock_(std::make_unique<FolderLock>(path_)) {
+RunFolder::RunFolder(std::string path, const Checkpoint& checkpoint, Simulation& simulation,
+                     std::unique_ptr<FolderLock> lock)
+    : path_(std::move(path)), lock_(std::move(lock)) {
   const auto state = checkpoint.restore(simulation);
   for (std::size_t k = 0; k < state.frames; ++k) frames_.push_back(numbered(k));
   for (std::size_t k = 0; k < state.segments; ++k) segments_.push_back(numbered(k));

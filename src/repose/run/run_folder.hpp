@@ -22,10 +22,15 @@ class RunFolder {
 
   /// Makes the folder (or clears an older run out of it) and writes scene.toml and the state at the start. Throws
   /// InputError if that fails, and then leaves no half-written folder.
-  RunFolder(std::string path, const Simulation& simulation);
+  /// The lock of a folder that is held already is handed over.
+  RunFolder(std::string path, const Simulation& simulation, std::unique_ptr<FolderLock> lock = nullptr);
 
   /// Takes up an older run where its checkpoint left it: `simulation` is given the state back.
-  RunFolder(std::string path, const Checkpoint& checkpoint, Simulation& simulation);
+  RunFolder(std::string path, const Checkpoint& checkpoint, Simulation& simulation, std::unique_ptr<FolderLock> lock);
+
+  /// Moves a start that was written whole, but cut off before it was in its place, there; else does nothing. For the
+  /// holder of the lock.
+  static void complete_start(const std::string& path);
 
   /// Writes a checkpoint if one is due, by wall time, or if the run is interrupted. Throws RunError; an older
   /// checkpoint stays.

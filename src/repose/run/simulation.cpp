@@ -4,6 +4,7 @@
 
 #include "repose/analysis/force_network.hpp"
 #include "repose/analysis/heap.hpp"
+#include "repose/io/state.hpp"
 #include "repose/run/setup.hpp"
 #include "repose/run/sources/initial.hpp"
 #include "repose/run/steps.hpp"
@@ -131,6 +132,8 @@ void Simulation::exchange(Archive& archive) {
   grains_.exchange(archive);
   method_->exchange(archive);
   if (!archive.restoring()) return;
+  archive.check("run/window_impulses", 2 * impulses.size() == times.size() * fixed_ids_.size());
+  archive.check("run/walls", walls_.size() == series_.size() * method_->walls().size());
   earlier_seconds_ = seconds;
   window_.clear();
   for (std::size_t k = 0; 2 * k + 1 < times.size(); ++k) {
@@ -301,6 +304,7 @@ Record Simulation::record() const {
   record.grains.reorder(by_id(grains_));
   const auto box = make_box(scene_);
   for (auto& grain : record.grains.line) grain.position = box.wrapped(grain.position);
+  facts.state_hash = state_hash(record.grains, record.contacts);
   record.series = series_;
   record.walls = walls_;
   record.base = base_profile();

@@ -12,7 +12,7 @@ namespace repose {
 /// summary.json: numbers by name, null where not defined; see docs/reference/summary.md.
 std::string summary_text(const Record& record, const Reading& reading);
 
-/// "status" of the text of a summary; "" if it is none.
+/// "status" of the text of a summary; "" if it is none, or not as it was written.
 std::string summary_status(const std::string& text);
 
 }  // namespace repose

@@ -42,15 +42,25 @@ void keep(char* place, std::size_t room, const std::string& text) {
   place[room - 1] = '\0';
 }
 
-/// The folder of a member: taken up where its last checkpoint left it if it was cut off, or else new.
-std::unique_ptr<RunFolder> member_run(const std::string& path, Simulation& simulation) {
+/// The folder of a member: taken up where its last checkpoint left it if it was cut off, or else new, and so is the
+/// simulation then.
+std::unique_ptr<RunFolder> member_run(const std::string& path, const Scene& scene,
+                                      std::unique_ptr<Simulation>& simulation) {
+  std::filesystem::create_directories(path);
+  auto lock = std::make_unique<FolderLock>(path);
+  simulation = std::make_unique<Simulation>(scene, 1);
   std::vector<std::string> damaged;
-  const auto checkpoint = Checkpoint::latest(path, damaged);
-  if (checkpoint && checkpoint->scene() == scene_text(simulation.scene())) {
-    return std::make_unique<RunFolder>(path, *checkpoint, simulation);
+  if (const auto checkpoint = Checkpoint::latest(path, damaged);
+      checkpoint && checkpoint->scene() == scene_text(simulation->scene())) {
+    try {
+      return std::make_unique<RunFolder>(path, *checkpoint, *simulation, std::move(lock));
+    } catch (const InputError&) {  // its track is damaged
+      lock = std::make_unique<FolderLock>(path);
+      simulation = std::make_unique<Simulation>(scene, 1);
+    }
   }
-  std::filesystem::remove_all(path);
-  return std::make_unique<RunFolder>(path, simulation);
+  for (const auto& entry : std::filesystem::directory_iterator(path)) std::filesystem::remove_all(entry.path());
+  return std::make_unique<RunFolder>(path, *simulation, std::move(lock));
 }
 
 }  // namespace
@@ -116,8 +126,8 @@ void Sweep::be_member(std::size_t member, Shared& shared) const {
   try {
     const auto& what = folder_.members()[member];
     const auto path = folder_.member_path(what);
-    Simulation simulation(folder_.scene_of(what), 1);
-    const auto run = member_run(path, simulation);
+    std::unique_ptr<Simulation> simulation;
+    const auto run = member_run(path, folder_.scene_of(what), simulation);
     Simulation::Hooks hooks;
     hooks.observed = [&](const Simulation& s) {
       shared.share = std::clamp(s.grain_steps() / std::max(work_[member], 1.0), 0.0, 0.999);
@@ -125,10 +135,10 @@ void Sweep::be_member(std::size_t member, Shared& shared) const {
     hooks.frame = [&](const Simulation& s) { run->write(s, true); };
     hooks.pause = [&](Simulation& s, bool last) { run->pause(s, last); };
     const std::atomic<bool> never{false};
-    simulation.run(hooks, never);
-    run->write(simulation, false);
-    if (simulation.status() == Status::failed) {
-      keep(shared.message, sizeof shared.message, simulation.message());
+    simulation->run(hooks, never);
+    run->write(*simulation, false);
+    if (simulation->status() == Status::failed) {
+      keep(shared.message, sizeof shared.message, simulation->message());
     } else {
       status = 0;
     }

@@ -171,6 +171,7 @@ std::size_t SweepFolder::analyse() const {
     const auto status = status_of(member);
     if (status.empty()) continue;
     const auto folder = member_path(member);
+    const FolderLock lock(folder);
     const auto record = read_record(folder);
     write_reading(folder, record, read(record));
     ++count;

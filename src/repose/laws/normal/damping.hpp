@@ -17,16 +17,20 @@ enum class DampingKind {
   viscosity     ///< C = d m_red. Source: Bratberg (2003), eq. (57)
 };
 
+/// The coefficient by the kinds that know the true reduced mass; apart, so that the usual kind pays nothing for them.
+[[gnu::noinline]] inline double dashpot_of_pair(DampingKind kind, double damping, double reduced_mass,
+                                                double stiffness) {
+  if (kind == DampingKind::viscosity) return damping * reduced_mass;
+  return 2.0 * damping * std::sqrt(reduced_mass * stiffness);
+}
+
 /// The coefficient [M/T] for a stiffness k. Of law.damping, which is z or d by law.damping_kind.
 template <class Law>
 REPOSE_FN double dashpot(const Law& law, const Touch<double>& touch, double stiffness) {
   if (law.damping_kind == DampingKind::of_critical) [[likely]] {
     return 2.0 * law.damping * std::sqrt(touch.mass * stiffness);
   }
-  if (law.damping_kind == DampingKind::restitution) {
-    return 2.0 * law.damping * std::sqrt(touch.reduced_mass * stiffness);
-  }
-  return law.damping * touch.reduced_mass;
+  return dashpot_of_pair(law.damping_kind, law.damping, touch.reduced_mass, stiffness);
 }
 
 /// The parameters of the dashpot; what restitution means for law.damping is worked out by `completed` (impact.hpp).

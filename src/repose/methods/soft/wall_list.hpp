@@ -72,7 +72,8 @@ class WallList {
     if (!archive.restoring()) return;
     for (auto& list : of_wall) list.clear();
     for (std::uint32_t k = 0; k < pairs.size(); ++k) {
-      of_wall.at(pairs[k].wall).push_back(k);
+      archive.check("walls/pairs", pairs[k].wall < of_wall.size());
+      of_wall[pairs[k].wall].push_back(k);
     }
   }
 
