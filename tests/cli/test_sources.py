@@ -113,10 +113,13 @@ def test_threads_and_seeds(lab):
 
 # Stopped while it rains and taken up again: the bits of a run that was never stopped.
 def test_rain_goes_on_after_a_stop(lab):
-    scene = RAIN.replace("time = 12", "time = 40").replace("count = 200", "count = 900")
+    scene = RAIN.replace("time = 12", "time = 40").replace("count = 200", "count = 900") + "[output]\nframes = 3\n"
     whole = lab.run(scene, out="whole")
     process = subprocess.Popen([PROGRAM, "run", "scene.toml", "--out", "cut", "--quiet"], cwd=lab.path)
-    time.sleep(0.4)
+    for _ in range(2000):  # until the second frame, at time 6
+        if (lab.path / "cut/frames/000001.h5").exists():
+            break
+        time.sleep(0.01)
     process.send_signal(signal.SIGINT)
     assert process.wait(timeout=30) == 130
     assert Grains(lab.path / "cut/run.h5").time < 30.0
@@ -141,6 +144,21 @@ def test_file_equals_placed_grains(lab):
     other = lab.run("[start]\nfrom = 'grains.csv'\n" + rest, out="other")
     assert summary(one)["state_hash"] == summary(other)["state_hash"]
     assert (other / "start.csv").read_text() == table
+
+
+# What a run exports, a table or a LAMMPS dump of several moments, can be started from.
+@pytest.mark.parametrize(("format", "name"), [("csv", "grains.csv"), ("ovito", "grains.dump")])
+def test_start_from_an_export(lab, heap, format, name):
+    exported = lab("export", heap, "--to", format, "--out", "export")
+    assert exported.returncode == 0, exported.stderr
+    found = [path for path in (lab.path / "export").rglob(name)]
+    assert len(found) == 1
+    out = lab.run(f"[start]\nfrom = '{found[0]}'\n[box]\nhalf_width = 28\n[stop]\ntime = 1e-9\n")
+    before, after = Grains(heap / "run.h5"), Grains(out / "run.h5")
+    for column in ("radius", "mass", "fixed", "base", "material"):
+        assert (getattr(before, column) == getattr(after, column)).all(), column
+    assert np.abs(before.position - after.position).max() < 1e-4  # one step
+    assert (out / f"start{found[0].suffix}").read_bytes() == found[0].read_bytes()
 
 
 # A run folder holds what it started from: it can be run again, analysed and moved, with the file gone.

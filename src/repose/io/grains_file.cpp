@@ -11,112 +11,182 @@
 #include <cmath>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 namespace repose {
 
 namespace {
 
-const std::vector<std::string> known = {"x", "y", "radius", "diameter", "vx", "vy", "spin", "fixed"};
+/// Our name of a column, or "" for one that says nothing of a grain. Our own tables, LAMMPS and people name them
+/// differently.
+std::string column_of(const std::string& name) {
+  static const std::vector<std::pair<std::string, std::string>> names = {{"x", "x"},
+                                                                         {"position_x", "x"},
+                                                                         {"y", "y"},
+                                                                         {"position_y", "y"},
+                                                                         {"vx", "vx"},
+                                                                         {"velocity_x", "vx"},
+                                                                         {"vy", "vy"},
+                                                                         {"velocity_y", "vy"},
+                                                                         {"spin", "spin"},
+                                                                         {"omegaz", "spin"},
+                                                                         {"radius", "radius"},
+                                                                         {"diameter", "diameter"},
+                                                                         {"mass", "mass"},
+                                                                         {"fixed", "fixed"},
+                                                                         {"base", "base"},
+                                                                         {"id", "id"},
+                                                                         {"material", "material"},
+                                                                         {"type", "type"}};
+  const auto found = std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.first == name; });
+  return found == names.end() ? "" : found->second;
+}
 
-std::vector<std::string> cells_of(const std::string& line) {
+std::vector<std::string> cells_of(const std::string& line, char separator) {
   std::vector<std::string> cells;
   std::istringstream in(line);
-  for (std::string cell; std::getline(in, cell, ',');) {
-    const auto begin = cell.find_first_not_of(" \t\r");
-    const auto end = cell.find_last_not_of(" \t\r");
-    cells.push_back(begin == std::string::npos ? "" : cell.substr(begin, end - begin + 1));
+  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+  for (std::string cell; std::getline(in, cell, separator);) {
+    while (!cell.empty() && blank(cell.back())) cell.pop_back();
+    while (!cell.empty() && blank(cell.front())) cell.erase(0, 1);
+    if (separator != ' ' || !cell.empty()) cells.push_back(cell);
   }
   return cells;
 }
 
-class Table {
+class GrainsFile {
  public:
-  explicit Table(std::string path) : path_(std::move(path)) {}
+  explicit GrainsFile(std::string path) : path_(std::move(path)) {}
 
   std::vector<GrainRow> read() {
     std::ifstream in(path_);
     if (!in) throw InputError(fmt::format("{}: cannot be read", path_));
-    std::vector<GrainRow> rows;
     constexpr std::size_t most_problems = 20;
     for (std::string text; std::getline(in, text) && problems_.size() < most_problems;) {
       ++line_;
-      const auto begin = text.find_first_not_of(" \t\r");
-      if (begin == std::string::npos || text[begin] == '#') continue;
-      if (columns_.empty()) {
-        read_header(cells_of(text));
+      if (text.starts_with("ITEM:")) {
+        begin_item(text);
+      } else if (dump_) {
+        if (atoms_) read_row(cells_of(text, ' '));
       } else {
-        read_row(cells_of(text), rows);
+        read_line_of_table(text);
       }
     }
     if (columns_.empty() && problems_.empty()) problems_.push_back(fmt::format("{}: no line with names", path_));
-    if (rows.empty() && problems_.empty()) problems_.push_back(fmt::format("{}: no grains", path_));
+    if (rows_.empty() && problems_.empty()) problems_.push_back(fmt::format("{}: no grains", path_));
     if (!problems_.empty()) throw InputError(problems_);
-    return rows;
+    return rows_;
   }
 
  private:
   void problem(const std::string& what) { problems_.push_back(fmt::format("{}:{}: {}", path_, line_, what)); }
 
-  void read_header(const std::vector<std::string>& names) {
-    columns_ = names;
-    for (const auto& name : names) {
-      if (std::find(known.begin(), known.end(), name) == known.end()) {
-        problem(fmt::format("{}: unknown column; known are x, y, radius or diameter, vx, vy, spin, fixed", name));
+  bool has(const std::string& name) const {
+    return std::find(columns_.begin(), columns_.end(), name) != columns_.end();
+  }
+
+  /// A part of a LAMMPS dump. Of several moments the last counts.
+  void begin_item(const std::string& text) {
+    const std::string atoms = "ITEM: ATOMS";
+    dump_ = true;
+    atoms_ = text.starts_with(atoms);
+    if (!atoms_) return;
+    rows_.clear();
+    columns_.clear();
+    for (const auto& name : cells_of(text.substr(atoms.size()), ' ')) columns_.push_back(column_of(name));
+    check_columns();
+  }
+
+  void read_line_of_table(const std::string& text) {
+    const auto begin = text.find_first_not_of(" \t\r");
+    if (begin == std::string::npos || text[begin] == '#') return;
+    const auto cells = cells_of(text, ',');
+    if (!columns_.empty()) return read_row(cells);
+    for (const auto& name : cells) {
+      columns_.push_back(column_of(name));
+      if (columns_.back().empty()) {
+        problem(
+            fmt::format("{}: unknown column; known are id, x, y, radius or diameter, vx, vy, spin, mass, material, "
+                        "fixed, base",
+                        name));
       }
-      if (std::count(names.begin(), names.end(), name) > 1) problem(fmt::format("{}: is there twice", name));
+    }
+    check_columns();
+  }
+
+  void check_columns() {
+    for (const auto& name : columns_) {
+      if (!name.empty() && std::count(columns_.begin(), columns_.end(), name) > 1) {
+        return problem(fmt::format("{}: is there twice", name));
+      }
     }
     if (!has("x") || !has("y") || has("radius") == has("diameter")) {
       problem("must have the columns x, y, and either radius or diameter");
     }
   }
 
-  bool has(const std::string& name) const {
-    return std::find(columns_.begin(), columns_.end(), name) != columns_.end();
-  }
-
-  void read_row(const std::vector<std::string>& cells, std::vector<GrainRow>& rows) {
+  void read_row(const std::vector<std::string>& cells) {
     if (cells.size() != columns_.size()) {
       return problem(fmt::format("has {} values; must have {}", cells.size(), columns_.size()));
     }
     GrainRow row;
     for (std::size_t k = 0; k < cells.size(); ++k) {
       const auto& name = columns_[k];
+      if (name.empty()) continue;
       const auto& cell = cells[k];
       double value = 0.0;
       const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
       if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
         return problem(fmt::format("{} = {}: must be a finite number", name, cell));
       }
-      if ((name == "radius" || name == "diameter") && value <= 0.0) {
-        return problem(fmt::format("{} = {}: must be > 0 [L]", name, cell));
+      if (const auto wrong = set(row, name, value); !wrong.empty()) {
+        return problem(fmt::format("{} = {}: {}", name, cell, wrong));
       }
-      if (name == "fixed" && value != 0.0 && value != 1.0) {
-        return problem(fmt::format("fixed = {}: must be 0 or 1", cell));
-      }
-      set(row, name, value);
     }
-    rows.push_back(row);
+    if (row.base && !row.fixed) return problem("base = 1: a grain of the base must be fixed");
+    rows_.push_back(row);
   }
 
-  static void set(GrainRow& row, const std::string& name, double value) {
-    if (name == "x") row.position[0] = value;
-    if (name == "y") row.position[1] = value;
-    if (name == "vx") row.velocity[0] = value;
-    if (name == "vy") row.velocity[1] = value;
-    if (name == "spin") row.spin = value;
-    if (name == "radius") row.radius = value;
-    if (name == "diameter") row.radius = 0.5 * value;
-    if (name == "fixed") row.fixed = value == 1.0;
+  /// Fills a value in; says what is allowed if it is none.
+  static std::string set(GrainRow& row, const std::string& name, double value) {
+    if (name == "radius" || name == "diameter" || name == "mass") {
+      if (value <= 0.0) return "must be > 0";
+      if (name == "mass") row.mass = value;
+      if (name == "radius") row.radius = value;
+      if (name == "diameter") row.radius = 0.5 * value;
+    } else if (name == "fixed" || name == "base") {
+      if (value != 0.0 && value != 1.0) return "must be 0 or 1";
+      (name == "fixed" ? row.fixed : row.base) = value == 1.0;
+    } else if (name == "id" || name == "material" || name == "type") {
+      const double low = name == "type" ? 1.0 : 0.0;
+      const double high = name == "id" ? 0x1p53 : 65535.0;
+      if (value != std::floor(value) || value < low || value > high) {
+        return fmt::format("must be a whole number from {} to {}", low, high);
+      }
+      if (name == "id") row.id = static_cast<std::int64_t>(value);
+      // Types of LAMMPS count from 1.
+      if (name != "id") row.material = static_cast<std::uint16_t>(value - low);
+    } else {
+      if (name == "x") row.position[0] = value;
+      if (name == "y") row.position[1] = value;
+      if (name == "vx") row.velocity[0] = value;
+      if (name == "vy") row.velocity[1] = value;
+      if (name == "spin") row.spin = value;
+    }
+    return {};
   }
 
   std::string path_;
   std::size_t line_ = 0;
+  bool dump_ = false;   // a LAMMPS dump, not a table
+  bool atoms_ = false;  // in its list of atoms
   std::vector<std::string> columns_;
+  std::vector<GrainRow> rows_;
   std::vector<std::string> problems_;
 };
 
 }  // namespace
 
-std::vector<GrainRow> read_grains_file(const std::string& path) { return Table(path).read(); }
+std::vector<GrainRow> read_grains_file(const std::string& path) { return GrainsFile(path).read(); }
 
 }  // namespace repose

@@ -24,9 +24,10 @@ struct GrainRow {
   bool base = false;
 };
 
-/// Reads a table of grains: comma-separated values under a line with the names of the columns: x, y, radius or
-/// diameter, and if wanted vx, vy, spin, fixed (0 or 1); lines that begin with # are left out. Throws InputError, one
-/// line "file:line: what" for each of the first problems.
+/// Reads a table of grains, or the last moment of a LAMMPS text dump. A table is comma-separated values under a line
+/// with the names of the columns: x, y, radius or diameter, and if wanted id, vx, vy, spin, mass, material, fixed and
+/// base (0 or 1), or as `repose export --to csv` names them; lines that begin with # are left out. Of a dump, columns
+/// of other names are left out. Throws InputError, one line "file:line: what" for each of the first problems.
 std::vector<GrainRow> read_grains_file(const std::string& path);
 
 }  // namespace repose
