@@ -341,7 +341,8 @@ def test_damaged_files_are_not_analysed_wrongly(interrupted, name, cut):
         copy_of_cut(lab)
         path = lab.path / "copy" / name
         path.write_bytes(damaged(path.read_bytes(), part, cut))
-        for verb in ("analyse", "resume"):
+        derived = name in ("analysis.h5", "summary.json")  # made anew: a few parts tell
+        for verb in ("analyse", "resume") if not derived or part % 10 == 0 else ("analyse",):
             result = lab(verb, "copy", "--quiet", timeout=60)
             if result.returncode != 0:
                 assert_clear(result)
