@@ -25,6 +25,7 @@ Command add_check(CLI::App& app);
 Command add_resume(CLI::App& app);
 Command add_sweep(CLI::App& app);
 Command add_analyse(CLI::App& app);
+Command add_export(CLI::App& app);
 Command add_plot(CLI::App& app);
 
 }  // namespace repose

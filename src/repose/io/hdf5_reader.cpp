@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
@@ -149,6 +150,64 @@ void Hdf5Reader::bytes(const std::string& name, std::size_t item,
   if (shape[0] > 0 && H5Dread(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0) {
     fail(name, "cannot be read");
   }
+}
+
+std::vector<std::size_t> Hdf5Reader::shape(const std::string& name) const {
+  const Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (dataset.failed()) return {};
+  const Handle space(H5Dget_space(dataset.id()), H5Sclose);
+  const int rank = H5Sget_simple_extent_ndims(space.id());
+  std::vector<hsize_t> sizes(static_cast<std::size_t>(std::max(rank, 0)));
+  if (rank <= 0 || H5Sget_simple_extent_dims(space.id(), sizes.data(), nullptr) < 0) return {};
+  return {sizes.begin(), sizes.end()};
+}
+
+std::vector<std::string> Hdf5Reader::cells(const std::string& name) const {
+  const Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (dataset.failed()) fail(name, "no such dataset");
+  const Handle type(H5Dget_type(dataset.id()), H5Tclose);
+  const Handle space(H5Dget_space(dataset.id()), H5Sclose);
+  const auto count = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id()));
+  std::vector<std::string> cells;
+  const auto read = [&](auto kind) {
+    std::vector<decltype(kind)> values(count);
+    if (count > 0 &&
+        H5Dread(dataset.id(), native_type<decltype(kind)>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
+      fail(name, "cannot be read");
+    }
+    for (const auto value : values) cells.push_back(fmt::format("{}", value));
+  };
+  switch (H5Tget_class(type.id())) {
+    case H5T_INTEGER:
+      read(std::int64_t{});
+      break;
+    case H5T_FLOAT:
+      H5Tget_size(type.id()) == sizeof(float) ? read(float{}) : read(double{});
+      break;
+    case H5T_STRING:
+      for (const auto& text : texts(name)) cells.push_back("\"" + text + "\"");
+      break;
+    default:
+      fail(name, "is neither numbers nor text");
+  }
+  return cells;
+}
+
+std::string Hdf5Reader::text_or(const std::string& object, const std::string& attribute,
+                                const std::string& otherwise) const {
+  if (H5Aexists_by_name(file_, object.c_str(), attribute.c_str(), H5P_DEFAULT) <= 0) return otherwise;
+  return text(object, attribute);
+}
+
+std::vector<std::string> Hdf5Reader::groups() const {
+  std::vector<std::string> found;
+  for (const auto& name : names_in("/")) {
+    H5L_info_t link{};
+    if (H5Lget_info(file_, name.c_str(), &link, H5P_DEFAULT) < 0 || link.type != H5L_TYPE_HARD) continue;
+    const Handle group(H5Gopen2(file_, name.c_str(), H5P_DEFAULT), H5Gclose);
+    if (!group.failed()) found.push_back(name);
+  }
+  return found;
 }
 
 std::vector<std::string> Hdf5Reader::names_in(const std::string& group) const {

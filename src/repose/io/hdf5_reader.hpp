@@ -39,6 +39,18 @@ class Hdf5Reader {
   template <class T>
   std::vector<T> table(const std::string& name, std::size_t columns) const;
 
+  /// The shape of a dataset; empty for anything else.
+  std::vector<std::size_t> shape(const std::string& name) const;
+
+  /// The values of a dataset as text, row by row: numbers so that they read back the same, text in quotes.
+  std::vector<std::string> cells(const std::string& name) const;
+
+  /// A text attribute, or `otherwise` where there is none.
+  std::string text_or(const std::string& object, const std::string& attribute, const std::string& otherwise) const;
+
+  /// Names of the groups that lie in the file itself, not behind links.
+  std::vector<std::string> groups() const;
+
   /// Names of the objects in a group, ascending.
   std::vector<std::string> names_in(const std::string& group) const;
 

@@ -24,7 +24,7 @@ namespace repose {
 namespace {
 
 constexpr const char* own_files[] = {"scene.toml", "run.h5", "analysis.h5", "summary.json"};
-constexpr const char* own_folders[] = {"frames", "track", "checkpoints", "pictures"};
+constexpr const char* own_folders[] = {"frames", "track", "checkpoints", "export", "pictures"};
 
 /// Where a new start is written, and its name once it is whole.
 constexpr const char* unready = "new";

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/io/exports.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace repose {
+
+namespace {
+
+std::size_t place_of(const Grains<2>& grains, std::int64_t id) {
+  return static_cast<std::size_t>(std::lower_bound(grains.id.begin(), grains.id.end(), id) - grains.id.begin());
+}
+
+/// Bounds of the box, in x of an open one and in y of any those of the grains.
+struct Bounds2 {
+  double low[2];
+  double high[2];
+};
+Bounds2 bounds_of(const Grains<2>& grains, const Box<2>& box) {
+  Bounds2 bounds{{0.0, 0.0}, {0.0, 0.0}};
+  for (int axis = 0; axis < 2; ++axis) {
+    bool first = true;
+    for (const auto& grain : grains.line) {
+      const double low = grain.position[axis] - grain.radius;
+      const double high = grain.position[axis] + grain.radius;
+      bounds.low[axis] = first ? low : std::min(bounds.low[axis], low);
+      bounds.high[axis] = first ? high : std::max(bounds.high[axis], high);
+      first = false;
+    }
+  }
+  if (box.periodic) {
+    bounds.low[0] = box.x_min;
+    bounds.high[0] = box.x_max;
+  }
+  return bounds;
+}
+
+std::string lammps_header(const Moment& moment, const Box<2>& box, const char* what, std::size_t count) {
+  const auto bounds = bounds_of(moment.grains, box);
+  return fmt::format(
+      "ITEM: TIMESTEP\n{}\nITEM: TIME\n{:.17g}\nITEM: NUMBER OF {}\n{}\nITEM: BOX BOUNDS {} ff pp\n{:.17g} {:.17g}\n"
+      "{:.17g} {:.17g}\n-0.5 0.5\n",
+      moment.step, moment.time, what, count, box.periodic ? "pp" : "ff", bounds.low[0], bounds.high[0], bounds.low[1],
+      bounds.high[1]);
+}
+
+}  // namespace
+
+VtkPolyData grains_for_vtk(const Moment& moment) {
+  const auto& grains = moment.grains;
+  VtkPolyData data;
+  std::vector<std::int64_t> coordination(grains.size(), 0);
+  for (const auto& contact : moment.contacts.list) {
+    if (!(contact.normal_force > 0.0)) continue;
+    ++coordination[place_of(grains, contact.first)];
+    if (contact.second >= 0) ++coordination[place_of(grains, contact.second)];
+  }
+  std::vector<double> radius, diameter, mass, velocity, spin, energy;
+  std::vector<std::int64_t> material;
+  std::vector<std::uint8_t> fixed, base;
+  for (std::size_t k = 0; k < grains.size(); ++k) {
+    const auto& grain = grains.line[k];
+    data.points.insert(data.points.end(), {grain.position[0], grain.position[1], 0.0});
+    velocity.insert(velocity.end(), {grain.velocity[0], grain.velocity[1], 0.0});
+    radius.push_back(grain.radius);
+    diameter.push_back(2.0 * grain.radius);
+    mass.push_back(grain.mass);
+    spin.push_back(grain.rim_velocity / grain.radius);
+    energy.push_back(grain.fixed() ? 0.0 : kinetic_energy(grain));
+    material.push_back(grains.material[k]);
+    fixed.push_back(grain.fixed() ? 1 : 0);
+    base.push_back(grains.base[k]);
+  }
+  data.point_data = {{"id", 1, grains.id},         {"diameter", 1, diameter},
+                     {"radius", 1, radius},        {"mass", 1, mass},
+                     {"velocity", 3, velocity},    {"spin", 1, spin},
+                     {"fixed", 1, fixed},          {"base", 1, base},
+                     {"material", 1, material},    {"contacts", 1, coordination},
+                     {"kinetic_energy", 1, energy}};
+  return data;
+}
+
+VtkPolyData contacts_for_vtk(const Moment& moment, const Box<2>& box) {
+  VtkPolyData data;
+  data.vertices = false;
+  std::vector<double> normal_force, tangential_force, overlap, force;
+  std::vector<std::int64_t> partners;
+  std::vector<std::uint8_t> sliding;
+  for (const auto& contact : moment.contacts.list) {
+    const auto& first = moment.grains.line[place_of(moment.grains, contact.first)];
+    Vec<2> end = first.position - contact.normal * first.radius;
+    if (contact.second >= 0) {
+      const auto& second = moment.grains.line[place_of(moment.grains, contact.second)];
+      end = first.position - separation(first.position, second.position, box);
+    }
+    const auto point = static_cast<std::int64_t>(data.points.size() / 3);
+    data.lines.insert(data.lines.end(), {point, point + 1});
+    data.points.insert(data.points.end(), {first.position[0], first.position[1], 0.0, end[0], end[1], 0.0});
+    const auto on_first = force_of(contact);
+    force.insert(force.end(), {on_first[0], on_first[1], 0.0});
+    normal_force.push_back(contact.normal_force);
+    tangential_force.push_back(contact.tangential_force);
+    overlap.push_back(contact.overlap);
+    partners.insert(partners.end(), {contact.first, contact.second});
+    sliding.push_back(contact.sliding ? 1 : 0);
+  }
+  data.cell_data = {
+      {"grains", 2, partners}, {"normal_force", 1, normal_force}, {"tangential_force", 1, tangential_force},
+      {"force", 3, force},     {"overlap", 1, overlap},           {"sliding", 1, sliding}};
+  return data;
+}
+
+std::string grains_for_lammps(const Moment& moment, const Box<2>& box) {
+  const auto& grains = moment.grains;
+  std::string text = lammps_header(moment, box, "ATOMS", grains.size());
+  text += "ITEM: ATOMS id type x y z vx vy vz omegaz radius mass fixed base\n";
+  auto out = std::back_inserter(text);
+  for (std::size_t k = 0; k < grains.size(); ++k) {
+    const auto& grain = grains.line[k];
+    // LAMMPS counts atoms and types from 1.
+    fmt::format_to(out, "{} {} {:.17g} {:.17g} 0 {:.17g} {:.17g} 0 {:.17g} {:.17g} {:.17g} {} {}\n", grains.id[k] + 1,
+                   grains.material[k] + 1, grain.position[0], grain.position[1], grain.velocity[0], grain.velocity[1],
+                   grain.rim_velocity / grain.radius, grain.radius, grain.mass, grain.fixed() ? 1 : 0, grains.base[k]);
+  }
+  return text;
+}
+
+std::string contacts_for_lammps(const Moment& moment, const Box<2>& box) {
+  const auto between_grains = [](const auto& contact) { return contact.second >= 0; };
+  const auto& list = moment.contacts.list;
+  const auto count = static_cast<std::size_t>(std::count_if(list.begin(), list.end(), between_grains));
+  std::string text = lammps_header(moment, box, "ENTRIES", count);
+  text += "ITEM: ENTRIES index batom1 batom2 force tangential overlap sliding\n";
+  auto out = std::back_inserter(text);
+  std::size_t index = 0;
+  for (const auto& contact : list) {
+    if (!between_grains(contact)) continue;
+    fmt::format_to(out, "{} {} {} {:.17g} {:.17g} {:.17g} {}\n", ++index, contact.first + 1, contact.second + 1,
+                   contact.normal_force, contact.tangential_force, contact.overlap, contact.sliding ? 1 : 0);
+  }
+  return text;
+}
+
+std::string csv_of(const Hdf5Reader& file, const std::string& group, std::size_t rows) {
+  struct Column {
+    std::string name;
+    std::vector<std::string> cells;
+  };
+  std::vector<Column> columns;
+  std::string notes;
+  for (const auto& name : file.names_in(group)) {
+    const auto path = group + "/" + name;
+    const auto shape = file.shape(path);
+    if (shape.empty() || shape.size() > 2 || shape[0] != rows) continue;
+    const auto width = shape.size() == 2 ? shape[1] : 1;
+    const auto cells = file.cells(path);
+    const auto unit = file.text_or(path, "unit", "");
+    notes +=
+        fmt::format("# {}: {}{}\n", name, unit.empty() ? "" : "[" + unit + "] ", file.text_or(path, "meaning", ""));
+    for (std::size_t c = 0; c < width; ++c) {
+      constexpr const char* axes[] = {"x", "y"};
+      Column column{
+          width == 1 ? name : (width == 2 ? fmt::format("{}_{}", name, axes[c]) : fmt::format("{}_{}", name, c)), {}};
+      for (std::size_t row = 0; row < rows; ++row) column.cells.push_back(cells[row * width + c]);
+      columns.push_back(std::move(column));
+    }
+  }
+  std::string text = notes;
+  for (std::size_t c = 0; c < columns.size(); ++c) text += (c > 0 ? "," : "") + columns[c].name;
+  text += '\n';
+  for (std::size_t row = 0; row < rows && !columns.empty(); ++row) {
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      if (c > 0) text += ',';
+      text += columns[c].cells[row];
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace repose
