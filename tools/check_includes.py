@@ -19,7 +19,7 @@ BELOW = {
     "laws": {"core"},
     "boundaries": {"core", "laws"},
     "methods": {"core", "neighbours", "laws", "boundaries"},
-    "scene": {"core", "boundaries", "laws"},
+    "scene": {"core", "boundaries", "laws", "io"},
     "analysis": {"core", "neighbours"},
     "io": {"core", "neighbours"},
     "theory": {"core"},

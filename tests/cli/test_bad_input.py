@@ -27,7 +27,7 @@ WRONG_SCENES = {
     "lattice on a dense base": (LATTICE.replace("[source]", "spacing = 0.8\n[source]") + STOP,
                                 "scene.toml:4: base.spacing = 0.8: must be 1 to 1.5 diameters"),
     "lattice of many sizes": (LATTICE + "[grains]\npolydispersity = 0.1\n" + STOP, "grains.polydispersity = 0.1: must be 0"),
-    "count of a lattice": (LATTICE + "count = 5\n" + STOP, "scene.toml:7: source.count: unknown key; known here: kind, rows, x"),
+    "count of a lattice": (LATTICE + "count = 5\n" + STOP, "scene.toml:7: source.count: unknown key; known here: columns, kind, rows, x"),
     "negative track": (GRAIN + STOP + "[output]\ntrack = -1\n", "output.track = -1: must be >= 0"),
     "no grains in an avalanche": (GRAIN + STOP + "[analysis]\navalanche = 0\n", "analysis.avalanche = 0: must be a whole number"),
     "unknown key at the top": ("gravitation = 1\n" + GRAIN + STOP, "scene.toml:1: gravitation: unknown key; known here:"),

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repose/run/pour.hpp"
+#include "repose/run/sources/pour.hpp"
 
 #include "repose/scene/read.hpp"
 
@@ -17,12 +17,14 @@ Scene pouring(const std::string& more) {
                          "scene.toml");
 }
 
+double no_apex() { return 0.0; }
+
 /// Releases everything that is due up to a time; the grains released before are taken away each time if asked.
 Grains<2> released_by(Pour& pour, double time, double time_step) {
   Grains<2> grains;
   while (!pour.done() && static_cast<double>(pour.next_step()) * time_step <= time) {
     Grains<2> one;
-    if (!pour.release(one, pour.next_step())) break;
+    if (!pour.release(one, pour.next_step(), no_apex)) break;
     grains.add(one.line[0], one.id[0]);
   }
   return grains;
@@ -71,9 +73,9 @@ TEST(Pour, WaitsForRoom) {
   const auto scene = pouring("height = 50.0, half_width = 2.0");
   Pour pour(scene, 0.001, 0);
   Grains<2> grains;
-  long step = 0;
-  while (pour.release(grains, step)) {
-  }
+  long step = 5000;  // 11 grains are due
+  EXPECT_TRUE(pour.release(grains, step, no_apex));
+  EXPECT_GT(pour.next_step(), step);
   EXPECT_GE(grains.size(), 2U);
   EXPECT_LE(grains.size(), 5U);
   for (std::size_t i = 0; i < grains.size(); ++i) {
@@ -82,10 +84,11 @@ TEST(Pour, WaitsForRoom) {
       EXPECT_GE(magnitude(d), 1.2 * (grains.line[i].radius + grains.line[j].radius));
     }
   }
-  step = 5000;
-  EXPECT_GT(pour.waiting(step), 0.0);
+  step += 1000;
+  EXPECT_FALSE(pour.release(grains, step, no_apex));
+  EXPECT_DOUBLE_EQ(pour.waiting(step), 1.0);  // since the last release
   Grains<2> emptied;
-  EXPECT_TRUE(pour.release(emptied, step));
+  EXPECT_TRUE(pour.release(emptied, pour.next_step(), no_apex));
 }
 
 }  // namespace

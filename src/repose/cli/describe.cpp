@@ -63,6 +63,16 @@ std::string laws_text(const Scene::Contact& contact, const Scene& scene, const s
   return text;
 }
 
+std::string species_text(const Scene::Species& species, const Scene& scene) {
+  const auto& sizes = species.sizes;
+  std::string text = fmt::format("species          {}: share {:g} by {}, {}", species.name, species.share,
+                                 scene.grains.shares, sizes.kind);
+  if (sizes.kind == "normal" || sizes.kind == "log-normal") {
+    text += fmt::format(", mean {:g}, deviation {:g}", sizes.mean, sizes.deviation);
+  }
+  return text + fmt::format(", diameters {:g} to {:g}\n", sizes.smallest(), sizes.largest());
+}
+
 std::string stop_text(const Scene& scene) {
   std::string text;
   if (scene.stop.at_rest) text = fmt::format("at rest below {:g}", *scene.stop.at_rest);
@@ -81,8 +91,14 @@ std::string describe(const Scene& scene) {
   const auto fixed = initial.size() - moving_count(initial);
   const double step = scene.time_step();
   std::string text = fmt::format("scene            {}\n", scene.title.empty() ? "(untitled)" : scene.title);
-  text += fmt::format("grains           {} poured, {} placed, {} fixed; diameters {:g} to {:g}\n", scene.source.count,
-                      moving_count(initial), fixed, scene.smallest_diameter(), scene.largest_diameter());
+  text += fmt::format("grains           {} {}, {} placed, {} fixed; diameters {:g} to {:g}\n", scene.source.count,
+                      scene.source.kind == "rain" ? "rained" : "poured", moving_count(initial), fixed,
+                      scene.smallest_diameter(), scene.largest_diameter());
+  for (const auto& species : scene.species) text += species_text(species, scene);
+  if (!scene.start.from.empty()) {
+    text += fmt::format("start            {}: {} moving grains{}{}\n", scene.start.path, scene.start.moving,
+                        scene.start.histories ? ", contacts remembered" : "", scene.start.at_rest ? ", from rest" : "");
+  }
   text += laws_text(scene.contact, scene, " ");
   for (const auto& pair : scene.pairs) {
     text += fmt::format("between          {} and {}\n", pair.first, pair.second);

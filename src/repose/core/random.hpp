@@ -9,7 +9,15 @@
 namespace repose {
 
 /// What a random number is for; each purpose has its own stream.
-enum class Purpose : std::uint32_t { release_position = 1, grain_size = 2 };
+enum class Purpose : std::uint32_t {
+  release_position = 1,
+  grain_size = 2,
+  grain_species = 3,
+  base_size = 4,
+  base_species = 5,
+  base_height = 6,
+  lattice_place = 7
+};
 
 /// Uniform in [0, 1), a pure function of (seed, purpose, index, draw): Philox4x32-10, 53 bits.
 inline double uniform(std::uint64_t seed, Purpose purpose, std::uint64_t index, std::uint32_t draw = 0) {

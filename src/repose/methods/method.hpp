@@ -50,6 +50,10 @@ class Method {
   /// The outer forces from now on; the list may only grow, and a load that ends becomes zero.
   virtual void set_loads(const std::vector<Load<D>>& loads) = 0;
 
+  /// Gives contacts the displacements that they remember from elsewhere, as `contacts` reports them, pairs by ids. To
+  /// be called at the start, after a refresh.
+  virtual void set_histories(const Grains<D>& grains, const Contacts<D>& contacts) = 0;
+
   /// Where the walls are now.
   virtual const std::vector<WallState>& walls() const = 0;
 

@@ -12,7 +12,7 @@ namespace repose {
 double expected_end(const Scene& scene) {
   if (scene.stop.time && !scene.stop.at_rest) return *scene.stop.time;
   double end = 100.0 * std::sqrt(scene.grains.diameter / std::max(scene.gravity, 1e-30));
-  if (scene.source.kind == "pour") {
+  if (scene.source.drops()) {
     end = static_cast<double>(scene.source.count) / scene.source.rate +
           std::sqrt(2.0 * scene.source.height / scene.gravity) +
           50.0 * std::sqrt(scene.grains.diameter / scene.gravity);
@@ -22,7 +22,7 @@ double expected_end(const Scene& scene) {
 
 double expected_work(const Scene& scene, double time) {
   double work = static_cast<double>(moving_count(initial_grains(scene))) * time;
-  if (scene.source.kind == "pour") {
+  if (scene.source.drops()) {
     const double pouring = static_cast<double>(scene.source.count) / scene.source.rate;
     const double during = std::min(time, pouring);
     work += 0.5 * scene.source.rate * during * during + static_cast<double>(scene.source.count) * (time - during);

@@ -43,6 +43,11 @@ bool holds_nothing(const fs::path& path) {
 void clear_older_run(const fs::path& path) {
   for (const auto* name : own_folders) fs::remove_all(path / name);
   for (const auto* name : own_files) fs::remove(path / name);
+  std::vector<fs::path> starts;
+  for (const auto& entry : fs::directory_iterator(path)) {
+    if (entry.is_regular_file() && entry.path().stem() == "start") starts.push_back(entry.path());
+  }
+  for (const auto& start : starts) fs::remove(start);
 }
 
 }  // namespace
@@ -64,6 +69,12 @@ void RunFolder::complete_start(const std::string& path) {
   if (std::all_of(std::begin(own_files), std::end(own_files), [&](auto* name) { return is_there(start / name); })) {
     clear_older_run(path);
   }
+  // What the run starts from, under whatever ending, before the files by which a folder is known to hold a run.
+  std::vector<fs::path> others;
+  for (const auto& entry : fs::directory_iterator(start)) {
+    if (entry.path().stem() == "start") others.push_back(entry.path());
+  }
+  for (const auto& other : others) fs::rename(other, fs::path(path) / other.filename());
   for (const auto* name : own_files) {
     if (is_there(start / name)) fs::rename(start / name, fs::path(path) / name);
   }
@@ -87,6 +98,8 @@ RunFolder::RunFolder(std::string path, const Simulation& simulation, std::unique
     path_ = beside;
     write_text_file(path_ + "/scene.toml", scene_text(simulation.scene()));
     write_run(simulation.record());
+    const auto& start = simulation.scene().start;
+    if (!start.from.empty()) fs::copy_file(start.path, fs::path(beside) / start.from);
     path_ = target;
     fs::rename(beside, whole);
     complete_start(path_);

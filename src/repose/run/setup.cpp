@@ -3,48 +3,11 @@
 #include "repose/run/setup.hpp"
 
 #include "repose/methods/soft/soft.hpp"
+#include "repose/run/sources/initial.hpp"
 
 #include <cmath>
 
 namespace repose {
-
-namespace {
-
-std::vector<double> row_places(const Scene& scene) {
-  const double spacing = scene.base.spacing;
-  std::vector<double> places;
-  if (scene.box.x == "periodic") {
-    const long count = std::lround(2.0 * scene.box.half_width / spacing);
-    for (long k = 0; k < count; ++k) places.push_back(static_cast<double>(k - count / 2) * spacing);
-  } else {
-    const long side = static_cast<long>(std::floor(scene.base.half_width / spacing + 1e-9));
-    for (long k = -side; k <= side; ++k) places.push_back(static_cast<double>(k) * spacing);
-  }
-  return places;
-}
-
-/// A triangular lattice pile whose lowest grains lie in the hollows of the base row, or side by side on a plane.
-void add_lattice(const Scene& scene, Grains<2>& grains, std::int64_t& id) {
-  const double d = scene.grains.diameter;
-  const double pitch = scene.base_pitch();
-  const double rise = std::sqrt(d * d - 0.25 * pitch * pitch);
-  const bool on_row = scene.base.kind == "row";
-  const double lowest = on_row ? rise : (scene.base.smooth ? d : 0.5 * d);
-  // The grains of a row of even length lie at odd multiples of half a pitch about its middle, and so do hollows.
-  const double shift = on_row && scene.source.rows % 2 == 1 ? 0.5 * pitch : 0.0;
-  const double middle = on_row ? std::round((scene.source.x - shift) / pitch) * pitch + shift : scene.source.x;
-  for (std::int64_t row = 0; row < scene.source.rows; ++row) {
-    const auto count = scene.source.rows - row;
-    for (std::int64_t k = 0; k < count; ++k) {
-      auto grain = make_grain(scene, d);
-      grain.position[0] = middle + (static_cast<double>(k) - 0.5 * static_cast<double>(count - 1)) * pitch;
-      grain.position[1] = lowest + static_cast<double>(row) * rise;
-      grains.add(grain, id++);
-    }
-  }
-}
-
-}  // namespace
 
 Grain<2> make_grain(const Scene& scene, double diameter, const std::string& material) {
   Grain<2> grain;
@@ -57,15 +20,9 @@ Grain<2> make_grain(const Scene& scene, double diameter, const std::string& mate
 Grains<2> initial_grains(const Scene& scene) {
   Grains<2> grains;
   std::int64_t id = 0;
-  if (scene.base.kind == "row") {
-    for (const double x : row_places(scene)) {
-      auto grain = make_grain(scene, scene.grains.diameter, scene.base.material);
-      grain.inverse_mass = 0.0;
-      grain.position[0] = x;
-      grains.add(grain, id++, true, scene.material_number(scene.base.material));
-    }
-  }
-  if (scene.source.kind == "lattice") add_lattice(scene, grains, id);
+  add_base(scene, grains, id);
+  add_start(scene, grains, id);
+  add_lattice(scene, grains, id);
   for (const auto& placed : scene.placed) {
     auto grain = make_grain(scene, placed.diameter, placed.material);
     for (int k = 0; k < 2; ++k) {
@@ -143,8 +100,10 @@ Box<2> make_box(const Scene& scene) {
   box.periodic = scene.box.x == "periodic";
   box.x_min = -scene.box.half_width;
   box.x_max = scene.box.half_width;
-  constexpr double fall_below_base = 5.0;  // diameters below a row of grains: nothing comes back from there
-  if (scene.base.kind == "row") box.floor = -fall_below_base * scene.largest_diameter();
+  constexpr double fall_below_base = 5.0;  // diameters below base grains: nothing comes back from there
+  if (scene.base.of_grains() || scene.start.base) {
+    box.floor = -scene.base.roughness - fall_below_base * scene.largest_diameter();
+  }
   if (scene.box.floor) box.floor = *scene.box.floor;
   return box;
 }

@@ -16,8 +16,8 @@ namespace repose {
 /// A grain of this diameter and material ("": the first) at rest at the origin.
 Grain<2> make_grain(const Scene& scene, double diameter, const std::string& material = "");
 
-/// The grains that are there at the start: the base first, by ascending x, then a lattice pile, row by row, then
-/// the placed ones.
+/// The grains that are there at the start: the base first, by ascending x, then what the scene starts from, then a
+/// lattice, row by row, then the placed ones. Ids ascend.
 Grains<2> initial_grains(const Scene& scene);
 
 /// The walls of the scene: a base plane first, then planes, then segments.

@@ -6,12 +6,14 @@
 #include "repose/analysis/heap.hpp"
 #include "repose/io/state.hpp"
 #include "repose/run/setup.hpp"
+#include "repose/run/sources/initial.hpp"
 #include "repose/run/steps.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <unordered_map>
 
@@ -25,15 +27,22 @@ constexpr double largest_overlap = 0.75;
 /// Grain-steps after which the program looks up: whether it is to stop. About a second of one core.
 constexpr double longest_spell = 1e7;
 
+/// The scene as it is kept with the run: a copy of what it starts from lies beside it.
+Scene as_kept(Scene scene) {
+  auto& start = scene.start;
+  if (!start.from.empty()) start.from = "start" + std::filesystem::path(start.path).extension().string();
+  return scene;
+}
+
 }  // namespace
 
 Simulation::Simulation(Scene scene, int threads)
-    : scene_(std::move(scene)),
+    : scene_(as_kept(std::move(scene))),
       team_(threads),
       grains_(initial_grains(scene_)),
       method_(make_method(scene_)),
       time_step_(method_->time_step()),
-      pour_(scene_, time_step_, static_cast<std::int64_t>(grains_.size())),
+      source_(make_source(scene_, time_step_, grains_.id.empty() ? 0 : grains_.id.back() + 1)),
       placed_(static_cast<std::int64_t>(moving_count(grains_))),
       observe_every_(steps_in(scene_.output.series, time_step_)),
       frame_every_(observations_in(scene_.output.frames)),
@@ -56,14 +65,14 @@ double Simulation::wall_seconds() const {
 }
 
 std::int64_t Simulation::grains_lost() const {
-  return placed_ + pour_.released() - static_cast<std::int64_t>(moving_count(grains_));
+  return placed_ + source_->released() - static_cast<std::int64_t>(moving_count(grains_));
 }
 
 long Simulation::next_stop() const {
   const double spell = longest_spell / (1.0 + static_cast<double>(grains_.size()));
   long next = step_ + std::max(1L, static_cast<long>(spell));
   next = std::min(next, (step_ / observe_every_ + 1) * observe_every_);
-  if (!pour_.done()) next = std::min(next, pour_.next_step());
+  if (!source_->done()) next = std::min(next, source_->next_step());
   if (scene_.stop.time) next = std::min(next, steps_in(*scene_.stop.time, time_step_));
   if (loads_begun_ < by_start_.size()) {
     next = std::min(next, std::max(step_ + 1, steps_in(by_start_[loads_begun_].start, time_step_)));
@@ -72,17 +81,30 @@ long Simulation::next_stop() const {
 }
 
 void Simulation::release_due_grains() {
-  bool added = false;
-  while (!pour_.done() && pour_.next_step() <= step_ && pour_.release(grains_, step_)) added = true;
-  if (!added) return;
+  if (source_->done() || source_->next_step() > step_) return;
+  if (!source_->release(grains_, step_, [this] { return apex(); })) return;
   method_->grains_added(grains_);
   moving_ = moving_count(grains_);
 }
 
+double Simulation::apex() const {
+  const auto touching = supported(grains_, contacts());
+  double highest = 0.0;
+  for (std::size_t k = 0; k < grains_.size(); ++k) {
+    const auto& grain = grains_.line[k];
+    if (touching[k]) highest = std::max(highest, grain.position[1] + grain.radius);
+  }
+  return highest;
+}
+
 void Simulation::begin() {
+  if (scene_.source.height_above == "apex") method_->refresh(grains_, team_);  // the first grain asks what touches
   release_due_grains();
   apply_due_loads();
   method_->refresh(grains_, team_);
+  if (const auto remembered = contacts_at_start(scene_); remembered.size() > 0) {
+    method_->set_histories(grains_, remembered);
+  }
   if (const auto start = contacts(); max_overlap(start) > largest_overlap) {
     stop(Status::failed, describe_trouble(start));
   }
@@ -106,7 +128,7 @@ void Simulation::exchange(Archive& archive) {
   }
   archive.array("run/window_times", times);
   archive.array("run/window_impulses", impulses);
-  pour_.exchange(archive);
+  source_->exchange(archive);
   grains_.exchange(archive);
   method_->exchange(archive);
   if (!archive.restoring()) return;
@@ -180,10 +202,9 @@ void Simulation::observe(const Hooks& hooks) {
   } else if (at_rest()) {
     stop(Status::finished, fmt::format("at rest: kinetic energy per grain and force residual below stop.at_rest = {}",
                                        *scene_.stop.at_rest));
-  } else if (!pour_.done() &&
-             pour_.waiting(step_) > longest_wait * std::sqrt(scene_.grains.diameter / scene_.gravity)) {
-    stop(Status::failed, fmt::format("the source is buried: grain {} of {} finds no room at height {}",
-                                     pour_.released() + 1, pour_.count(), scene_.source.height));
+  } else if (!source_->done() &&
+             source_->waiting(step_) > longest_wait * std::sqrt(scene_.grains.diameter / scene_.gravity)) {
+    stop(Status::failed, source_->buried());
   }
   if (hooks.observed) hooks.observed(*this);
   if (hooks.frame && status_ == Status::running && frame_every_ > 0 && step_ / observe_every_ % frame_every_ == 0)
@@ -225,7 +246,7 @@ std::int64_t Simulation::nearest_grain(const Vec<2>& place) const {
 }
 
 bool Simulation::at_rest() const {
-  if (!scene_.stop.at_rest || !pour_.done()) return false;
+  if (!scene_.stop.at_rest || !source_->done()) return false;
   const double energy_unit = scene_.grain_weight() * scene_.grains.diameter;
   const auto& now = series_.back();
   return now.kinetic_energy_per_grain < *scene_.stop.at_rest * energy_unit && now.force_residual < *scene_.stop.at_rest;
@@ -276,7 +297,7 @@ Record Simulation::record() const {
   facts.threads = threads();
   facts.wall_seconds = wall_seconds();
   facts.grain_steps = grain_steps_;
-  facts.released = pour_.released();
+  facts.released = source_->released();
   facts.lost = grains_lost();
   facts.support_force = force_on_supports(record.contacts);
   record.grains = grains_;

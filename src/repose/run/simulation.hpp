@@ -6,8 +6,8 @@
 #include "repose/core/grains.hpp"
 #include "repose/core/team.hpp"
 #include "repose/methods/method.hpp"
-#include "repose/run/pour.hpp"
 #include "repose/run/record.hpp"
+#include "repose/run/sources/source.hpp"
 #include "repose/scene/scene.hpp"
 
 #include <array>
@@ -68,6 +68,7 @@ class Simulation {
   };
 
   void begin();
+  double apex() const;
   long observations_in(double time) const;
   long next_stop() const;
   void release_due_grains();
@@ -89,7 +90,7 @@ class Simulation {
   Grains<2> grains_;
   std::unique_ptr<Method<2>> method_;
   double time_step_;
-  Pour pour_;
+  std::unique_ptr<Source> source_;
   std::vector<Scene::Load> by_start_;  // the loads of the scene in the order in which they begin
   std::size_t loads_begun_ = 0;
   std::vector<Load<2>> loads_;

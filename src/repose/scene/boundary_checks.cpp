@@ -46,9 +46,34 @@ void check_names(const Scene& scene, Reader& reader) {
   check("wall", scene.pieces);
 }
 
+void check_deposited(const Scene& scene, Reader& reader) {
+  constexpr double most_base_grains = 1e7;
+  const double smallest = scene.smallest_drawn();
+  const double largest = scene.largest_drawn();
+  const bool periodic = scene.box.x == "periodic";
+  const double width = 2.0 * (periodic ? scene.box.half_width : scene.base.half_width);
+  const std::string key = periodic ? "box.half_width" : "base.half_width";
+  if (reader.sound("base.roughness") && scene.base.roughness > 0.5 * smallest) {
+    reader.problem("base.roughness", fmt::format(" = {}: must be at most {}, half the smallest diameter, or neighbours "
+                                                 "would lie on each other [L]",
+                                                 scene.base.roughness, 0.5 * smallest));
+  }
+  if (!reader.sound(key)) return;
+  if (width / smallest > most_base_grains) {
+    reader.problem(key, fmt::format(" = {}: the base could have {:.3g} grains; at most {:g}", 0.5 * width,
+                                    width / smallest, most_base_grains));
+  }
+  // What is left over of the width, less than a disc, is shared out among all gaps: none may let a grain through.
+  if (largest * largest > 0.5 * smallest * width) {
+    reader.problem(key, fmt::format(" = {}: too narrow for a deposited base of these sizes, at least {:.4g} [L]",
+                                    0.5 * width, largest * largest / smallest));
+  }
+}
+
 }  // namespace
 
 void check_boundaries(const Scene& scene, Reader& reader) {
+  if (scene.base.kind == "deposited") check_deposited(scene, reader);
   const double d = scene.grains.diameter;
   constexpr double most_base_grains = 1e7;
   const double row = scene.box.x == "periodic" ? scene.box.half_width : scene.base.half_width;
@@ -70,16 +95,18 @@ void check_boundaries(const Scene& scene, Reader& reader) {
                      fmt::format(" = {}: must divide the width {} of the periodic box into whole spacings",
                                  scene.base.spacing, 2.0 * scene.box.half_width));
     }
-  } else if (scene.base.kind == "row" && reader.sound("base.half_width") && reader.sound("box.half_width") &&
+  } else if (scene.base.of_grains() && reader.sound("base.half_width") && reader.sound("box.half_width") &&
              scene.box.half_width < scene.base.half_width) {
     reader.problem("box.half_width", fmt::format(" = {}: must be at least base.half_width = {}", scene.box.half_width,
                                                  scene.base.half_width));
   }
+  const double through = d + (scene.species.empty() ? d : scene.smallest_drawn());
   if (scene.base.kind == "row" && reader.sound("base.spacing") && reader.sound("grains.diameter") &&
-      scene.base.spacing >= 2.0 * d) {
-    reader.problem("base.spacing",
-                   fmt::format(" = {}: must be < {}, two diameters, or grains fall through the base [L]",
-                               scene.base.spacing, 2.0 * d));
+      scene.base.spacing >= through) {
+    reader.problem(
+        "base.spacing",
+        fmt::format(" = {}: must be < {}, {}, or grains fall through the base [L]", scene.base.spacing, through,
+                    scene.species.empty() ? "two diameters" : "a diameter and that of the smallest grain"));
   }
   for (std::size_t k = 0; k < scene.planes.size(); ++k) {
     const auto prefix = fmt::format("plane[{}].", k);

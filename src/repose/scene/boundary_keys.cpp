@@ -13,12 +13,17 @@ namespace {
 constexpr std::array<double, 2> nothing{0.0, 0.0};
 
 void base_keys(Scene& scene, Keys& keys) {
-  keys.choice("base.kind", scene.base.kind, "none", {"row", "plane", "none"},
-              "what the heap stands on, at height 0: a row of fixed grains, a plane, or nothing");
+  keys.choice("base.kind", scene.base.kind, "none", {"row", "deposited", "plane", "none"},
+              "what the heap stands on, at height 0: a row of fixed grains, fixed grains of the sizes of the others at "
+              "random heights, a plane, or nothing");
   if (scene.base.kind == "row") {
     keys.number("base.spacing", scene.base.spacing, scene.grains.diameter, positive, "L",
                 "between the centres, one of them at x = 0");
     keys.number("base.half_width", scene.base.half_width, required, positive, "L", "the row covers +- this");
+  } else if (scene.base.kind == "deposited") {
+    keys.number("base.roughness", scene.base.roughness, 0.25 * scene.smallest_drawn(), not_negative, "L",
+                "centres lie between this below height 0 and 0; at most half the smallest diameter");
+    keys.number("base.half_width", scene.base.half_width, required, positive, "L", "the base covers +- this");
   } else if (scene.base.kind == "plane") {
     keys.flag("base.smooth", scene.base.smooth, false,
               "no friction, and the height of the centre as distance (Baxter et al. 1997)");
@@ -29,11 +34,12 @@ void base_keys(Scene& scene, Keys& keys) {
 void box_keys(Scene& scene, Keys& keys) {
   const double d = scene.grains.diameter;
   keys.choice("box.x", scene.box.x, "open", {"open", "periodic"}, "grains that leave an open box are lost and counted");
-  const double room = scene.base.kind == "row" ? scene.base.half_width : 200.0 * d;
+  const double room = scene.base.of_grains() ? scene.base.half_width : 200.0 * d;
   keys.number("box.half_width", scene.box.half_width, scene.box.x == "periodic" ? room : room + 20.0 * d, positive, "L",
               "x from -half_width to half_width");
-  keys.optional_number("box.floor", scene.box.floor, "auto", any, "L",
-                       "grains that fall below are lost and counted; \"auto\": 5 diameters below a row, else nowhere");
+  keys.optional_number(
+      "box.floor", scene.box.floor, "auto", any, "L",
+      "grains that fall below are lost and counted; \"auto\": 5 diameters below base grains, else nowhere");
 }
 
 void motion_keys(const std::string& prefix, Scene::Wall& wall, Keys& keys) {

@@ -11,6 +11,7 @@ namespace repose {
 // themselves already are left alone.
 
 void check_laws(const Scene& scene, Reader& reader);
+void check_species(const Scene& scene, Reader& reader);
 void check_boundaries(const Scene& scene, Reader& reader);
 void check_sources(const Scene& scene, Reader& reader);
 void check_stop(const Scene& scene, Reader& reader);

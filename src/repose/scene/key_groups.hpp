@@ -26,9 +26,11 @@ void material_key(const std::string& key, std::string& material, const Scene& sc
 
 /// contact.*, materials and their pairs: the force laws (law_keys.cpp).
 void law_keys(Scene& scene, Keys& keys);
+/// Species of grains (species_keys.cpp).
+void species_keys(Scene& scene, Keys& keys);
 /// base, box and planes (boundary_keys.cpp).
 void boundary_keys(Scene& scene, Keys& keys);
-/// Placed grains and the source (source_keys.cpp).
+/// The start, placed grains and the source (source_keys.cpp).
 void source_keys(Scene& scene, Keys& keys);
 /// stop, output and analysis (run_keys.cpp).
 void run_keys(Scene& scene, Keys& keys);

@@ -32,8 +32,11 @@ void go_through(Scene& scene, Keys& keys) {
   keys.number("grains.mass", scene.grains.mass, si ? required : 1.0, positive, "M", "of a grain of that diameter");
   keys.number("grains.polydispersity", scene.grains.polydispersity, 0.0, fraction, "",
               "p: diameters uniform in [(1 - p) d, d]");
+  keys.choice("grains.shares", scene.grains.shares, "number", {"number", "mass"},
+              "of what the shares of the [[species]] are shares");
   method_keys(scene, keys);
   law_keys(scene, keys);
+  species_keys(scene, keys);
   boundary_keys(scene, keys);
   source_keys(scene, keys);
   run_keys(scene, keys);

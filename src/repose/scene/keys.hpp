@@ -36,6 +36,9 @@ class Keys {
                       const std::vector<std::string>& words, std::string_view about) = 0;
   virtual void vector(const std::string& key, std::array<double, 2>& value,
                       std::optional<std::array<double, 2>> fallback, std::string_view unit, std::string_view about) = 0;
+  /// A list of numbers, at least one, that must be given.
+  virtual void numbers(const std::string& key, std::vector<double>& values, std::string_view unit,
+                       std::string_view about) = 0;
   /// One number that may be given by one of several keys, `group` and a name each; the first is the default.
   virtual void one_of(const std::string& group, const std::vector<Parameters::Way>& ways, std::size_t& way,
                       double& value, double fallback) = 0;

@@ -6,12 +6,14 @@
 #include "repose/laws/time_step.hpp"
 #include "repose/scene/checks.hpp"
 #include "repose/scene/reader.hpp"
+#include "repose/scene/start.hpp"
 #include "repose/scene/toml_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace repose {
 
@@ -112,7 +114,9 @@ Scene read_scene_text(const std::string& text, const std::string& name, const Ov
   Scene scene;
   go_through(scene, reader);
   reader.report_unknown_keys();
+  look_at_start(scene, reader, std::filesystem::path(name).parent_path().string());
   check_laws(scene, reader);
+  check_species(scene, reader);
   check_boundaries(scene, reader);
   check_sources(scene, reader);
   check_stop(scene, reader);

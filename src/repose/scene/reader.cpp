@@ -217,6 +217,23 @@ void Reader::choice(const std::string& key, std::string& value, std::string_view
   value = word;
 }
 
+void Reader::numbers(const std::string& key, std::vector<double>& values, std::string_view /*unit*/,
+                     std::string_view about) {
+  asked_.insert(key);
+  values.clear();
+  const auto* node = find(key);
+  if (node == nullptr) return missing(key, about);
+  const auto* list = node->as_array();
+  if (list == nullptr || list->empty()) return wrong_type(key, *node, "a list of numbers");
+  for (const auto& entry : *list) {
+    const double number = number_in(entry);
+    if (!std::isfinite(number)) {
+      return problem(key, fmt::format(" = {}: must be a list of finite numbers", value_text(*node)));
+    }
+    values.push_back(number);
+  }
+}
+
 void Reader::one_of(const std::string& group, const std::vector<Parameters::Way>& ways, std::size_t& way, double& value,
                     double fallback) {
   way = 0;

@@ -29,6 +29,8 @@ class Reader final : public Keys {
               const std::vector<std::string>& words, std::string_view about) override;
   void vector(const std::string& key, std::array<double, 2>& value, std::optional<std::array<double, 2>> fallback,
               std::string_view unit, std::string_view about) override;
+  void numbers(const std::string& key, std::vector<double>& values, std::string_view unit,
+               std::string_view about) override;
   void one_of(const std::string& group, const std::vector<Parameters::Way>& ways, std::size_t& way, double& value,
               double fallback) override;
   void tables(const std::string& key, const std::function<std::size_t(std::size_t)>& resize,
@@ -43,6 +45,10 @@ class Reader final : public Keys {
   void report_unknown_keys();
   /// Says that a key came from elsewhere than the file.
   void comes_from(const std::string& key, const std::string& origin) { origin_[key] = origin; }
+  bool from_command_line(const std::string& key) const {
+    const auto origin = origin_.find(key);
+    return origin != origin_.end() && origin->second.starts_with("--set");
+  }
   const std::vector<std::string>& problems() const { return problems_; }
 
  private:

@@ -13,14 +13,38 @@ double Scene::base_pitch() const {
   return base.kind == "row" ? std::max(base.spacing, grains.diameter) : grains.diameter;
 }
 
-double Scene::smallest_diameter() const {
+bool Scene::block_nests() const {
+  return base.kind == "row" && source.gap == 0.0 && smallest_drawn() == grains.diameter &&
+         largest_drawn() == grains.diameter;
+}
+
+double Scene::block_pitch() const { return block_nests() ? base_pitch() : largest_drawn() + source.gap; }
+
+double Scene::smallest_drawn() const {
   double smallest = grains.diameter * (1.0 - grains.polydispersity);
+  if (!species.empty()) smallest = species.front().sizes.smallest();
+  for (const auto& one : species) smallest = std::min(smallest, one.sizes.smallest());
+  return smallest;
+}
+
+double Scene::largest_drawn() const {
+  double largest = grains.diameter;
+  if (!species.empty()) largest = species.front().sizes.largest();
+  for (const auto& one : species) largest = std::max(largest, one.sizes.largest());
+  return largest;
+}
+
+double Scene::smallest_diameter() const {
+  double smallest = smallest_drawn();
+  if (base.kind == "row") smallest = std::min(smallest, grains.diameter);
+  if (start.largest > 0.0) smallest = std::min(smallest, start.smallest);
   for (const auto& grain : placed) smallest = std::min(smallest, grain.diameter);
   return smallest;
 }
 
 double Scene::largest_diameter() const {
-  double largest = grains.diameter;
+  double largest = std::max(largest_drawn(), start.largest);
+  if (base.kind == "row") largest = std::max(largest, grains.diameter);
   for (const auto& grain : placed) largest = std::max(largest, grain.diameter);
   return largest;
 }
@@ -64,17 +88,20 @@ MaterialLaws Scene::material_laws() const {
 double Scene::expected_column() const {
   if (source.kind == "lattice") return static_cast<double>(source.rows);
   // N grains in a triangle of height h and slope 30 degrees: N = h^2 sqrt(3) / 0.9 (a core of discs at 0.8).
-  return std::max(1.0, std::sqrt(static_cast<double>(source.count) * 0.9 / std::sqrt(3.0)));
+  return std::max(1.0, std::sqrt(static_cast<double>(source.count + start.moving) * 0.9 / std::sqrt(3.0)));
 }
 
 double Scene::contact_frequency() const {
-  double fall = source.kind == "pour" ? source.height : grains.diameter;
-  if (source.kind == "lattice") fall = static_cast<double>(source.rows) * grains.diameter;
-  for (const auto& grain : placed) {
-    const double speed2 = std::pow(grain.velocity[0], 2) + std::pow(grain.velocity[1], 2);
-    const double rise = gravity > 0.0 ? 0.5 * speed2 / gravity : 0.0;
-    fall = std::max(fall, rise + std::max(0.0, grain.position[1]));
+  const auto rise = [&](const std::array<double, 2>& velocity) {
+    return gravity > 0.0 ? 0.5 * (std::pow(velocity[0], 2) + std::pow(velocity[1], 2)) / gravity : 0.0;
+  };
+  double fall = std::max(grains.diameter, start.fall);
+  if (source.drops()) fall = std::max(start.fall, source.height + rise(source.velocity));
+  if (source.kind == "lattice") {
+    const double pitch = source.columns > 0 ? block_pitch() : grains.diameter;
+    fall = std::max(start.fall, static_cast<double>(source.rows) * pitch);
   }
+  for (const auto& grain : placed) fall = std::max(fall, rise(grain.velocity) + std::max(0.0, grain.position[1]));
   const auto names = material_names();
   const auto laws = material_laws();
   double frequency = 0.0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/size_distribution.hpp"
 #include "repose/laws/registry.hpp"
 
 #include <array>
@@ -31,7 +32,31 @@ struct Scene {
     double diameter = 1.0;        ///< [L] the largest, and that of base grains
     double mass = 1.0;            ///< [M] of a grain of that diameter
     double polydispersity = 0.0;  ///< sizes uniform in [(1 - p) d, d]
+    std::string shares;           ///< of the species: by "number" or "mass"
   } grains;
+
+  /// Grains of one kind.
+  struct Species {
+    std::string name;
+    std::string material;
+    double share = 1.0;  ///< over the sum of all shares
+    struct Sizes {
+      std::string kind;       ///< "fixed", "uniform", "normal", "log-normal", "table" or "sieve"
+      double diameter = 0.0;  ///< [L] and so on
+      double low = 0.0;
+      double high = 0.0;
+      double mean = 0.0;
+      double deviation = 0.0;
+      std::vector<double> diameters;
+      std::vector<double> weights;
+      std::vector<double> passing;
+
+      double smallest() const;
+      double largest() const;
+      SizeDistribution distribution() const;  ///< of a sound scene
+    } sizes;
+  };
+  std::vector<Species> species;  ///< empty: all grains as [grains] says
 
   /// What acts between two materials; friction is kept in the tangential law too.
   struct Contact {
@@ -58,11 +83,14 @@ struct Scene {
   std::vector<Pair> pairs;
 
   struct Base {
-    std::string kind;         ///< "row", "plane" or "none"
+    std::string kind;         ///< "row", "deposited", "plane" or "none"
     double spacing = 0.0;     ///< [L] between the centres of a row
+    double roughness = 0.0;   ///< [L] how far centres of a deposited base lie below height 0 at most
     double half_width = 0.0;  ///< [L]
     bool smooth = false;      ///< of a plane
     std::string material;
+
+    bool of_grains() const { return kind == "row" || kind == "deposited"; }
   } base;
 
   struct Region {
@@ -110,14 +138,36 @@ struct Scene {
   };
   std::vector<Placed> placed;
 
+  /// Grains that are there at the start, from elsewhere.
+  struct Start {
+    std::string from;      ///< a run folder, its run.h5, or a file of grains; "": nothing
+    bool at_rest = false;  ///< velocities are left behind
+
+    // What `read_scene` finds there.
+    std::string path;        ///< from, as the program opens it
+    bool histories = false;  ///< contacts remember what they did in the run that it comes from
+    bool base = false;       ///< some of the grains are base grains
+    std::int64_t moving = 0;
+    double smallest = 0.0;  ///< [L] diameter; 0 without grains
+    double largest = 0.0;   ///< [L]
+    double fall = 0.0;      ///< [L] height from which the fastest grain seems to fall
+  } start;
+
   struct Source {
-    std::string kind;  ///< "pour", "lattice" or "none"
+    std::string kind;  ///< "pour", "rain", "lattice" or "none"
     std::int64_t count = 0;
-    std::int64_t rows = 0;    ///< of a lattice
-    double rate = 0.0;        ///< [1/T]
-    double height = 0.0;      ///< [L] above the base
-    double half_width = 0.0;  ///< [L]
-    double x = 0.0;           ///< [L]
+    double rate = 0.0;         ///< [1/T]
+    double height = 0.0;       ///< [L]
+    std::string height_above;  ///< "base" or "apex"
+    double half_width = 0.0;   ///< [L]
+    double x = 0.0;            ///< [L]
+    std::array<double, 2> velocity{};
+    std::int64_t rows = 0;     ///< of a lattice
+    std::int64_t columns = 0;  ///< of a block; 0: a pile
+    double gap = 0.0;          ///< [L] of a block, between grains of the largest size
+    double jitter = 0.0;       ///< of a block: displacements over half a gap
+
+    bool drops() const { return kind == "pour" || kind == "rain"; }
   } source;
 
   struct Stop {
@@ -147,6 +197,13 @@ struct Scene {
 
   double grain_weight() const { return grains.mass * gravity; }
   double base_pitch() const;  ///< [L] between neighbours of a lattice pile's lowest row
+  /// Whether the grains of a block touch and lie in the hollows of the base row, as those of a pile do.
+  bool block_nests() const;
+  double block_pitch() const;  ///< [L] between neighbours in a row of a block
+  /// The sizes of grains that are drawn: of all species, or of [grains].
+  double smallest_drawn() const;
+  double largest_drawn() const;
+  /// Of everything that is there: drawn, placed, base and what a start brings.
   double smallest_diameter() const;
   double largest_diameter() const;
   std::vector<std::string> material_names() const;

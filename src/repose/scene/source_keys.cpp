@@ -4,29 +4,61 @@
 
 namespace repose {
 
-void source_keys(Scene& scene, Keys& keys) {
-  const double d = scene.grains.diameter;
+namespace {
+
+constexpr std::array<double, 2> at_rest{0.0, 0.0};
+
+void placed_keys(Scene& scene, Keys& keys) {
   table_keys<Scene::Placed>(keys, "grain", scene.placed, [&](const auto& prefix, auto& grain, std::size_t) {
     keys.vector(prefix + "position", grain.position, std::nullopt, "L", "centre at the start");
-    keys.vector(prefix + "velocity", grain.velocity, std::array<double, 2>{0.0, 0.0}, "L/T", "at the start");
+    keys.vector(prefix + "velocity", grain.velocity, at_rest, "L/T", "at the start");
     keys.number(prefix + "spin", grain.spin, 0.0, any, "1/T", "angular velocity, counter-clockwise");
-    keys.number(prefix + "diameter", grain.diameter, d, positive, "L", "mass goes with its square");
+    keys.number(prefix + "diameter", grain.diameter, scene.grains.diameter, positive, "L", "mass goes with its square");
     keys.flag(prefix + "fixed", grain.fixed, false, "never moves nor turns");
     material_key(prefix + "material", grain.material, scene, keys);
   });
-  keys.choice("source.kind", scene.source.kind, "none", {"pour", "lattice", "none"},
-              "where grains come from: poured, or there at the start as a triangular lattice pile on the base");
-  if (scene.source.kind == "lattice") {
-    keys.integer("source.rows", scene.source.rows, std::nullopt, 1,
-                 "of the 60-degree pile: as many grains in the lowest, one less in each above");
-    keys.number("source.x", scene.source.x, 0.0, any, "L", "of the apex");
-  }
-  if (scene.source.kind != "pour") return;
-  keys.integer("source.count", scene.source.count, std::nullopt, 1, "grains released in all");
-  keys.number("source.rate", scene.source.rate, required, positive, "1/T", "grains per time; the first at time 0");
-  keys.number("source.height", scene.source.height, 100.0 * d, positive, "L", "of release, above the base");
-  keys.number("source.half_width", scene.source.half_width, 3.0 * d, not_negative, "L", "released at x +- this");
-  keys.number("source.x", scene.source.x, 0.0, any, "L", "centre of the opening");
+}
+
+void drop_keys(Scene& scene, Keys& keys) {
+  auto& source = scene.source;
+  const double d = scene.grains.diameter;
+  const bool rain = source.kind == "rain";
+  const double everywhere = scene.base.of_grains() ? scene.base.half_width : scene.box.half_width;
+  keys.integer("source.count", source.count, std::nullopt, 1, "grains released in all");
+  keys.number("source.rate", source.rate, required, positive, "1/T", "grains per time; the first at time 0");
+  keys.number("source.height", source.height, 100.0 * d, positive, "L", "of the centres at release");
+  keys.choice("source.height_above", source.height_above, "base", {"base", "apex"},
+              "the height is above height 0, or above the highest grain that touches something at each release");
+  keys.number("source.half_width", source.half_width, rain ? everywhere : 3.0 * d, not_negative, "L",
+              "released at x +- this");
+  keys.number("source.x", source.x, 0.0, any, "L", "middle of where they are released");
+  keys.vector("source.velocity", source.velocity, at_rest, "L/T", "at release");
+}
+
+void lattice_keys(Scene& scene, Keys& keys) {
+  auto& source = scene.source;
+  keys.integer("source.rows", source.rows, std::nullopt, 1,
+               "of a block, or of the 60-degree pile: as many grains in the lowest, one less in each above");
+  keys.integer("source.columns", source.columns, 0, 0, "grains in each row of a block; 0: a pile");
+  keys.number("source.x", source.x, 0.0, any, "L", "of the apex, or of the middle of the block");
+  if (source.columns == 0) return;
+  keys.number("source.gap", source.gap, 0.0, not_negative, "L", "between grains of the largest size");
+  keys.number("source.jitter", source.jitter, 0.0, {.low = 0.0, .high = 1.0}, "",
+              "each grain is displaced by up to this times half the gap, so that none meet");
+}
+
+}  // namespace
+
+void source_keys(Scene& scene, Keys& keys) {
+  keys.text("start.from", scene.start.from, "",
+            "grains there at the start: a run folder whose end it is, or a file of grains; relative to this file");
+  if (!scene.start.from.empty()) keys.flag("start.at_rest", scene.start.at_rest, false, "they begin without motion");
+  placed_keys(scene, keys);
+  keys.choice("source.kind", scene.source.kind, "none", {"pour", "rain", "lattice", "none"},
+              "where grains come from: poured from an opening, rained over a width, or there at the start as a "
+              "triangular lattice");
+  if (scene.source.kind == "lattice") lattice_keys(scene, keys);
+  if (scene.source.drops()) drop_keys(scene, keys);
 }
 
 }  // namespace repose

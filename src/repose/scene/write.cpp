@@ -44,6 +44,12 @@ class Writer final : public Keys {
               std::string_view unit, std::string_view about) override {
     line(key, fmt::format("[{}, {}]", toml_number(value[0]), toml_number(value[1])), unit, about);
   }
+  void numbers(const std::string& key, std::vector<double>& values, std::string_view unit,
+               std::string_view about) override {
+    std::string list;
+    for (const double value : values) list += (list.empty() ? "" : ", ") + toml_number(value);
+    line(key, fmt::format("[{}]", list), unit, about);
+  }
   void one_of(const std::string& group, const std::vector<Parameters::Way>& ways, std::size_t& way, double& value,
               double) override {
     line(group + std::string(ways[way].name), toml_number(value), ways[way].unit, ways[way].about);

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -97,6 +98,8 @@ class Soft final : public Method<D> {
     pairs_.invalidate();  // where the loaded grains are is found out with the next list
   }
 
+  void set_histories(const Grains<D>& grains, const Contacts<D>& contacts) override;
+
   const std::vector<WallState>& walls() const override { return walls_; }
   std::vector<Vec<D>> taken_wall_impulses() override { return wall_list_.taken_impulses(walls_.size()); }
   Energy energy(const Grains<D>& grains) const override;
@@ -160,13 +163,17 @@ class Soft final : public Method<D> {
     wall_list_.build(grains, order, settings_.walls, now, settings_.box, pairs_, widest_reach(), settings_.skin);
     walls_at_build_ = walls_;
     share_out(grains, team);
-    if (settings_.audit && step_ == 0) {
-      Energy start;
-      add_elastic(start, grains);
-      const double pressed = start.elastic + start.dissipated();  // less what springs of friction would store at once
-      energy_.sources += pressed - elastic_at_start_;
-      elastic_at_start_ = pressed;
-    }
+    account_for_start(grains);
+  }
+
+  /// What contacts store that are there at the start of time comes from the sources.
+  void account_for_start(const Grains<D>& grains) {
+    if (!settings_.audit || step_ > 0) return;
+    Energy start;
+    add_elastic(start, grains);
+    const double pressed = start.elastic + start.dissipated();  // less what springs of friction would store at once
+    energy_.sources += pressed - elastic_at_start_;
+    elastic_at_start_ = pressed;
   }
 
   /// Deals the present list out among the members of the team.
@@ -310,6 +317,29 @@ Contacts<D> Soft<D, Law, Full>::contacts(const Grains<D>& grains) const {
       });
   contacts.sort();
   return contacts;
+}
+
+template <int D, class Law, bool Full>
+void Soft<D, Law, Full>::set_histories(const Grains<D>& grains, const Contacts<D>& contacts) {
+  std::map<std::pair<std::int64_t, std::int64_t>, Tangent<D>> known;
+  for (const auto& contact : contacts.list) known[{contact.first, contact.second}] = contact.history;
+  const auto of = [&](std::int64_t first, std::int64_t second) {
+    const auto found = known.find({first, second});
+    return found == known.end() ? Tangent<D>{} : found->second;
+  };
+  for (std::uint32_t i = 0; i < pairs_.rows(); ++i) {
+    for (auto k = pairs_.row_start[i]; k < pairs_.row_start[i + 1]; ++k) {
+      const auto a = grains.id[i];
+      const auto b = grains.id[pairs_.partner[k]];
+      pairs_.history[k] = b < a ? swapped(of(b, a)) : of(a, b);
+    }
+    if (!wall_list_.any()) continue;
+    for (auto k = wall_list_.row_start[i]; k < wall_list_.row_start[i + 1]; ++k) {
+      auto& contact = wall_list_.pairs[k];
+      contact.slip = of(grains.id[i], plane_partner(contact.wall));
+    }
+  }
+  account_for_start(grains);
 }
 
 template <int D, class Law, bool Full>

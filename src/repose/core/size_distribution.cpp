@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/core/size_distribution.hpp"
+
+#include <boost/math/distributions/normal.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace repose {
+
+namespace {
+
+double normal_fraction(double x, double centre, double spread) {
+  return boost::math::cdf(boost::math::normal_distribution<double>(centre, spread), x);
+}
+
+/// Makes sums of shares into fractions up to each.
+std::vector<double> cumulative(std::vector<double> shares) {
+  double sum = 0.0;
+  for (auto& share : shares) {
+    sum += share;
+    share = sum;
+  }
+  for (auto& share : shares) share /= sum;
+  return shares;
+}
+
+}  // namespace
+
+LogMoments log_moments(double mean, double deviation) {
+  const double variance = std::log1p(std::pow(deviation / mean, 2));
+  return {std::log(mean) - 0.5 * variance, std::sqrt(variance)};
+}
+
+SizeDistribution SizeDistribution::fixed(double diameter) { return uniform(diameter, diameter); }
+
+SizeDistribution SizeDistribution::uniform(double low, double high) {
+  SizeDistribution sizes;
+  sizes.smallest_ = low;
+  sizes.largest_ = high;
+  return sizes;
+}
+
+SizeDistribution SizeDistribution::normal(double mean, double deviation, double low, double high) {
+  auto sizes = uniform(low, high);
+  sizes.kind_ = Kind::normal;
+  sizes.centre_ = mean;
+  sizes.spread_ = deviation;
+  sizes.from_ = normal_fraction(low, mean, deviation);
+  sizes.to_ = normal_fraction(high, mean, deviation);
+  return sizes;
+}
+
+SizeDistribution SizeDistribution::log_normal(double mean, double deviation, double low, double high) {
+  const auto [centre, spread] = log_moments(mean, deviation);
+  auto sizes = normal(centre, spread, std::log(low), std::log(high));
+  sizes.kind_ = Kind::log_normal;
+  sizes.smallest_ = low;
+  sizes.largest_ = high;
+  return sizes;
+}
+
+SizeDistribution SizeDistribution::table(std::vector<double> diameters, std::vector<double> weights) {
+  const auto [low, high] = std::minmax_element(diameters.begin(), diameters.end());
+  auto sizes = uniform(*low, *high);
+  sizes.kind_ = Kind::table;
+  sizes.diameters_ = std::move(diameters);
+  sizes.below_ = cumulative(std::move(weights));
+  return sizes;
+}
+
+/// Between two sieves a < b the mass per diameter is constant, so the number goes with 1/d^2: the shares by number are
+/// the shares by mass over a b, and up to d there are (1/a - 1/d) / (1/a - 1/b) of them.
+SizeDistribution SizeDistribution::sieve(std::vector<double> diameters, const std::vector<double>& passing) {
+  auto sizes = uniform(diameters.front(), diameters.back());
+  sizes.kind_ = Kind::sieve;
+  std::vector<double> shares{0.0};
+  for (std::size_t k = 1; k < diameters.size(); ++k) {
+    shares.push_back((passing[k] - passing[k - 1]) / (diameters[k - 1] * diameters[k]));
+  }
+  sizes.diameters_ = std::move(diameters);
+  sizes.below_ = cumulative(std::move(shares));
+  return sizes;
+}
+
+double SizeDistribution::quantile(double u) const {
+  if (smallest_ == largest_) return largest_;
+  // The first entry up to which there is more than u; rounding must not lead beyond the last.
+  const auto entry = [&] {
+    const auto found = std::upper_bound(below_.begin(), below_.end(), u);
+    return static_cast<std::size_t>(std::min(found, below_.end() - 1) - below_.begin());
+  };
+  switch (kind_) {
+    case Kind::uniform:
+      return smallest_ + (largest_ - smallest_) * u;
+    case Kind::table:
+      return diameters_[entry()];
+    case Kind::sieve: {
+      const auto k = entry();
+      const double low = 1.0 / diameters_[k - 1];
+      const double high = 1.0 / diameters_[k];
+      const double part = (u - below_[k - 1]) / (below_[k] - below_[k - 1]);
+      return std::clamp(1.0 / (low + (high - low) * part), diameters_[k - 1], diameters_[k]);
+    }
+    default:
+      break;
+  }
+  const double fraction = from_ + (to_ - from_) * u;
+  if (fraction <= 0.0) return smallest_;
+  if (fraction >= 1.0) return largest_;
+  const double x = boost::math::quantile(boost::math::normal_distribution<double>(centre_, spread_), fraction);
+  return std::clamp(kind_ == Kind::log_normal ? std::exp(x) : x, smallest_, largest_);
+}
+
+double SizeDistribution::mean_square() const {
+  constexpr int parts = 4096;
+  double sum = 0.0;
+  for (int k = 0; k < parts; ++k) sum += std::pow(quantile((k + 0.5) / parts), 2);
+  return sum / parts;
+}
+
+}  // namespace repose

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/io/start_file.hpp"
+
+#include "repose/core/errors.hpp"
+#include "repose/io/hdf5_reader.hpp"
+#include "repose/io/state.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace fs = std::filesystem;
+
+namespace repose {
+
+namespace {
+
+StartState read_run(const std::string& path) {
+  const Hdf5Reader file(path);
+  if (file.text("/", "format") != "repose-run") throw InputError(fmt::format("{}: is not the run.h5 of a run", path));
+  if (file.text("/", "status") == "failed") {
+    throw InputError(fmt::format("{}: that run failed: its last state is not to be trusted", path));
+  }
+  StartState state;
+  const auto grains = read_grains<2>(file);
+  state.contacts = read_contacts<2>(file);
+  if (file.has("walls/name")) state.walls = file.texts("walls/name");
+  const auto scene = file.texts("scene");
+  state.scene = scene.empty() ? "" : scene.front();
+  for (std::size_t k = 0; k < grains.size(); ++k) {
+    const auto& grain = grains.line[k];
+    const double spin = grain.rim_velocity / grain.radius;
+    const bool sound = std::isfinite(magnitude(grain.position)) && std::isfinite(magnitude(grain.velocity)) &&
+                       std::isfinite(spin) && grain.radius > 0.0 && grain.mass > 0.0;
+    if (!sound || (k > 0 && grains.id[k] <= grains.id[k - 1])) {
+      throw InputError(fmt::format("{}: grains: what is said of grain {} makes no sense", path, grains.id[k]));
+    }
+    state.grains.push_back({grains.id[k], grain.position, grain.velocity, spin, grain.radius, grain.mass,
+                            grains.material[k], grain.fixed(), grains.base[k] != 0});
+  }
+  return state;
+}
+
+}  // namespace
+
+std::string start_file(const std::string& from) {
+  std::error_code error;
+  return fs::is_directory(from, error) ? (fs::path(from) / "run.h5").string() : from;
+}
+
+StartState read_start(const std::string& file) {
+  std::error_code error;
+  if (!fs::exists(file, error)) throw InputError(fmt::format("{}: no such file", file));
+  if (!fs::is_regular_file(file, error)) throw InputError(fmt::format("{}: is no regular file", file));
+  if (fs::path(file).extension() == ".h5") return read_run(file);
+  StartState state;
+  state.grains = read_grains_file(file);
+  return state;
+}
+
+}  // namespace repose

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/scene/start.hpp"
+
+#include "repose/core/errors.hpp"
+#include "repose/io/start_file.hpp"
+#include "repose/scene/toml_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace fs = std::filesystem;
+
+namespace repose {
+
+namespace {
+
+/// The law that keeps the displacement that a contact remembers; what another law kept means nothing to it.
+std::string tangential_law_of(const std::string& scene, const std::string& name) {
+  const auto root = parsed_toml(scene, name);
+  return root.at_path("contact.tangential.law").value_or(std::string());
+}
+
+std::string tangential_law_of(const Scene& scene) {
+  return std::visit([](const auto& law) { return std::string(law.name); }, scene.contact.tangential);
+}
+
+void take_facts(const StartState& state, Scene& scene) {
+  auto& start = scene.start;
+  for (const auto& row : state.grains) {
+    const double diameter = 2.0 * row.radius;
+    start.smallest = start.largest > 0.0 ? std::min(start.smallest, diameter) : diameter;
+    start.largest = std::max(start.largest, diameter);
+    start.base |= row.base;
+    if (row.fixed) continue;
+    ++start.moving;
+    const double speed2 = start.at_rest ? 0.0 : dot(row.velocity, row.velocity);
+    const double rise = scene.gravity > 0.0 ? 0.5 * speed2 / scene.gravity : 0.0;
+    start.fall = std::max(start.fall, rise + std::max(0.0, row.position[1]));
+  }
+}
+
+void check_grains(const StartState& state, const Scene& scene, Reader& reader) {
+  const auto materials = scene.material_names().size();
+  std::size_t outside = 0;
+  std::size_t unknown = 0;
+  for (const auto& row : state.grains) {
+    if (std::fabs(row.position[0]) > scene.box.half_width) ++outside;
+    if (row.material >= materials) ++unknown;
+  }
+  const auto says = fmt::format(" = \"{}\": ", scene.start.from);
+  if (outside > 0 && reader.sound("box.half_width")) {
+    reader.problem("start.from", fmt::format("{}{} of its grains lie outside the box, x = +-{}", says, outside,
+                                             scene.box.half_width));
+  }
+  if (unknown > 0) {
+    reader.problem("start.from", fmt::format("{}{} of its grains are of materials that this scene has not: it needs "
+                                             "the same list of [[material]]",
+                                             says, unknown));
+  }
+  if (scene.start.base && scene.base.of_grains() && reader.sound("base.kind")) {
+    reader.problem("base.kind", fmt::format(" = \"{}\": the grains of start.from bring their base with them; leave "
+                                            "base.kind out",
+                                            scene.base.kind));
+  }
+}
+
+}  // namespace
+
+void look_at_start(Scene& scene, Reader& reader, const std::string& folder) {
+  auto& start = scene.start;
+  if (start.from.empty()) return;
+  // What is said on the command line is meant from where the command is given.
+  const fs::path beside = reader.from_command_line("start.from") ? fs::path() : fs::path(folder);
+  start.path = start_file((beside / start.from).string());
+  try {
+    const auto state = read_start(start.path);
+    take_facts(state, scene);
+    check_grains(state, scene, reader);
+    start.histories = !state.scene.empty() && tangential_law_of(state.scene, start.path) == tangential_law_of(scene);
+  } catch (const InputError& error) {
+    for (const auto& line : error.problems()) {
+      reader.problem("start.from", fmt::format(" = \"{}\": {}", start.from, line));
+    }
+  }
+}
+
+}  // namespace repose

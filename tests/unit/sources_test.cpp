@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/run/setup.hpp"
+#include "repose/run/sources/rain.hpp"
+#include "repose/run/sources/room.hpp"
+#include "repose/run/sources/source.hpp"
+#include "repose/scene/read.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace repose {
+namespace {
+
+const std::string stop = "stop = { time = 1 }\n";
+const std::string hooke = "contact = { normal = { law = \"hooke\", stiffness = 1e4 } }\n";
+
+double no_apex() { return 0.0; }
+
+/// Smallest distance between the surfaces of two grains [L], by comparing all.
+double least_gap(const Grains<2>& grains, const Box<2>& box) {
+  double least = 1e300;
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto d = separation(grains.line[i].position, grains.line[j].position, box);
+      least = std::min(least, magnitude(d) - grains.line[i].radius - grains.line[j].radius);
+    }
+  }
+  return least;
+}
+
+Scene raining(const std::string& more) {
+  return read_scene_text(stop + hooke +
+                             "grains = { polydispersity = 0.5 }\nbox = { x = \"periodic\", half_width = 20 }\n"
+                             "source = { kind = \"rain\", count = 600, rate = 100, height = 9, " +
+                             more + " }\n",
+                         "scene.toml");
+}
+
+// At most 1 + t rate grains by time t, and all of them by the next moment of release unless they wait; none overlaps.
+TEST(Rain, GrainsOfOneMomentDoNotOverlap) {
+  const auto scene = raining("velocity = [0.5, -2.0]");
+  Rain rain(scene, 0.001, 7);
+  Grains<2> grains;
+  std::size_t most = 0;
+  long step = 0;
+  while (!rain.done() && step < 1000000) {
+    step = std::max(step, rain.next_step());
+    ASSERT_EQ(step % 100, 0) << "rain falls every 0.1 sqrt(d/g)";
+    Grains<2> together;
+    rain.release(together, step, no_apex);
+    EXPECT_GE(least_gap(together, make_box(scene)), -1e-12);
+    most = std::max(most, together.size());
+    for (std::size_t k = 0; k < together.size(); ++k) {
+      const auto& grain = together.line[k];
+      EXPECT_LE(std::fabs(grain.position[0]), 20.0);
+      EXPECT_EQ(grain.position[1], 9.0);
+      EXPECT_EQ(grain.velocity[0], 0.5);
+      EXPECT_DOUBLE_EQ(grain.velocity[1], step > 0 ? -2.0 + 0.0005 : -2.0);
+      grains.add(grain, together.id[k]);
+    }
+    EXPECT_LE(static_cast<double>(grains.size()), 1.0 + 100.0 * 0.001 * static_cast<double>(step) + 1e-6);
+  }
+  EXPECT_EQ(grains.size(), 600U);
+  EXPECT_EQ(most, 10U);
+  EXPECT_EQ(grains.id.front(), 7);
+  EXPECT_EQ(grains.id.back(), 606);
+  // The last grain, number 599, is due at 5.99, in the batch of 6.0.
+  EXPECT_EQ(step, 6000);
+}
+
+// A source that is given up and made anew with the same state goes on with the same grains: nothing else is random.
+TEST(Rain, GrainsDependOnTheirNumberAlone) {
+  const auto scene = raining("half_width = 20");
+  Rain one(scene, 0.001, 0);
+  Rain other(scene, 0.001, 0);
+  Grains<2> all;
+  Grains<2> late;
+  one.release(all, 1000, no_apex);
+  for (long step = 0; step <= 1000; step += 100) {
+    Grains<2> now;
+    if (other.next_step() <= step) other.release(now, step, no_apex);
+    for (const auto& grain : now.line) late.add(grain, 0);
+  }
+  ASSERT_GE(all.size(), 30U);  // what found room at once on a line of 40
+  EXPECT_EQ(late.size(), 101U);
+  EXPECT_EQ(all.line[0].position[0], late.line[0].position[0]);
+  for (std::size_t k = 0; k < all.size(); ++k) EXPECT_EQ(all.line[k].radius, late.line[k].radius);
+}
+
+TEST(Rain, HeightAboveTheApex) {
+  const auto scene = raining("height_above = \"apex\"");
+  Rain rain(scene, 0.001, 0);
+  Grains<2> grains;
+  rain.release(grains, 0, [] { return 3.25; });
+  ASSERT_EQ(grains.size(), 1U);
+  EXPECT_EQ(grains.line[0].position[1], 12.25);
+}
+
+// Against all pairs, over the ends of a periodic box too: 400 places among 60 grains.
+TEST(Room, AgreesWithAllPairs) {
+  for (const bool periodic : {false, true}) {
+    Box<2> box;
+    box.periodic = periodic;
+    box.x_min = -10.0;
+    box.x_max = 10.0;
+    Grains<2> grains;
+    const auto disc = [](std::uint64_t k, double spread) {
+      Grain<2> grain;
+      grain.radius = 0.1 + 0.4 * uniform(1, Purpose::grain_size, k);
+      grain.position = {{20.0 * uniform(2, Purpose::grain_size, k) - 10.0,
+                         5.0 + spread * (uniform(3, Purpose::grain_size, k) - 0.5)}};
+      return grain;
+    };
+    for (std::uint64_t k = 0; k < 60; ++k) grains.add(disc(k, 4.0), static_cast<std::int64_t>(k));
+    const Room room(grains, box, 5.0, 0.5, 1.2);
+    int free = 0;
+    for (std::uint64_t k = 1000; k < 1400; ++k) {
+      const auto candidate = disc(k, 0.0);
+      const bool expected = std::none_of(grains.line.begin(), grains.line.end(), [&](const Grain<2>& other) {
+        const double near = 1.2 * (candidate.radius + other.radius);
+        return magnitude(separation(candidate.position, other.position, box)) < near;
+      });
+      EXPECT_EQ(room.is_free(candidate), expected);
+      free += expected ? 1 : 0;
+    }
+    EXPECT_GT(free, 50);
+    EXPECT_LT(free, 350);
+  }
+}
+
+const std::string two_species =
+    "[[material]]\nname = \"light\"\n[[material]]\nname = \"heavy\"\ndensity = 3.0\n"
+    "[[species]]\nname = \"a\"\nmaterial = \"heavy\"\nshare = 1\nsizes = { kind = \"uniform\", low = 0.5, high = 0.7 "
+    "}\n"
+    "[[species]]\nname = \"b\"\nmaterial = \"light\"\nshare = 3\nsizes = { diameter = 2.0 }\n";
+
+// Shares of 20000 grains within 4 standard errors: of a fraction p by number sqrt(p (1 - p) / n); by mass the number
+// of the heavy ones has the share 1 / m_a over 1 / m_a + 3 / m_b, with m_a = 3 <d^2> and m_b = 4.
+TEST(GrainDraw, SharesByNumberAndByMass) {
+  const double mean_mass = 3.0 * (0.25 + 0.35 + 0.49) / 3.0;
+  for (const bool by_mass : {false, true}) {
+    const auto scene =
+        read_scene_text(stop + hooke + (by_mass ? "grains = { shares = \"mass\" }\n" : "") +
+                            "source = { kind = \"pour\", count = 5, rate = 1, height = 5 }\n" + two_species,
+                        "scene.toml");
+    EXPECT_EQ(scene.smallest_diameter(), 0.5);
+    EXPECT_EQ(scene.largest_diameter(), 2.0);
+    const GrainDraw draw(scene, Purpose::grain_species, Purpose::grain_size);
+    double heavy = 0.0;
+    constexpr int n = 20000;
+    for (std::uint64_t k = 0; k < n; ++k) {
+      const auto [grain, material] = draw(k);
+      if (material == 0) {
+        EXPECT_EQ(grain.radius, 1.0);
+        EXPECT_DOUBLE_EQ(grain.mass, 4.0);
+        continue;
+      }
+      EXPECT_DOUBLE_EQ(grain.mass, 12.0 * grain.radius * grain.radius);
+      heavy += 1.0;
+    }
+    const double p = by_mass ? (1.0 / mean_mass) / (1.0 / mean_mass + 3.0 / 4.0) : 0.25;
+    EXPECT_NEAR(heavy / n, p, 4.0 * std::sqrt(p * (1.0 - p) / n));
+  }
+}
+
+// Neighbours touch (to rounding), but for what is left over of a periodic width: less than the largest disc over all
+// gaps. Heights within the roughness, both of its halves used; nothing but neighbours comes near.
+TEST(DepositedBase, LetsNothingThrough) {
+  for (const bool periodic : {false, true}) {
+    const auto scene =
+        read_scene_text(stop + hooke + "base = { kind = \"deposited\", roughness = 0.25, half_width = 20 }\n" +
+                            (periodic ? "box = { x = \"periodic\" }\n" : "") +
+                            "source = { kind = \"pour\", count = 1, rate = 1, height = 9 }\n" + two_species,
+                        "scene.toml");
+    const auto base = initial_grains(scene);
+    const auto box = make_box(scene);
+    const auto n = base.size();
+    ASSERT_GT(n, 20U);
+    double lowest = 0.0;
+    double highest = -1.0;
+    double widest = 0.0;
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto& disc = base.line[k];
+      EXPECT_TRUE(disc.fixed());
+      EXPECT_TRUE(base.base[k]);
+      lowest = std::min(lowest, disc.position[1]);
+      highest = std::max(highest, disc.position[1]);
+      if (!periodic && k + 1 == n) break;
+      const auto& next = base.line[(k + 1) % n];
+      widest = std::max(widest, magnitude(separation(next.position, disc.position, box)) - next.radius - disc.radius);
+    }
+    EXPECT_GE(lowest, -0.25);
+    EXPECT_LT(lowest, -0.125);
+    EXPECT_LE(highest, 0.0);
+    EXPECT_GT(highest, -0.125);
+    EXPECT_GE(least_gap(base, box), -1e-12);
+    EXPECT_LT(widest, periodic ? 2.0 / static_cast<double>(n) : 1e-12);
+    if (periodic) continue;
+    EXPECT_NEAR(base.line.front().position[0], -base.line.back().position[0], 1e-9);
+  }
+}
+
+Grains<2> block(const std::string& more, const std::string& base) {
+  const auto scene = read_scene_text(stop + hooke + base + "box.half_width = 10\n" +
+                                         "source = { kind = \"lattice\", rows = 4, columns = 6, " + more + " }\n",
+                                     "scene.toml");
+  auto grains = initial_grains(scene);
+  std::vector<std::uint32_t> moving;
+  for (std::uint32_t k = 0; k < grains.size(); ++k) {
+    if (!grains.line[k].fixed()) moving.push_back(k);
+  }
+  EXPECT_GE(least_gap(grains, make_box(scene)), -1e-12);
+  grains.reorder(moving);
+  return grains;
+}
+
+// Touching grains lie in the hollows of the row, each row over those of the one below.
+TEST(Block, NestsInTheRow) {
+  const auto grains = block("x = 1.2", "base = { kind = \"row\", half_width = 9 }\n");
+  ASSERT_EQ(grains.size(), 24U);
+  const double rise = std::sqrt(0.75);
+  for (std::size_t k = 0; k < 24; ++k) {
+    const auto row = static_cast<double>(k / 6);
+    EXPECT_NEAR(grains.line[k].position[1], rise * (row + 1.0), 1e-12);
+    const double from_hollow = grains.line[k].position[0] - (k / 6 % 2 == 0 ? 0.5 : 0.0);
+    EXPECT_NEAR(from_hollow, std::round(from_hollow), 1e-12);
+  }
+}
+
+// Displaced grains keep their distance: by up to half a gap each, and no two as much.
+TEST(Block, JitterWithinTheGap) {
+  const auto regular = block("gap = 0.3", "base = { kind = \"plane\" }\n");
+  const auto loose = block("gap = 0.3, jitter = 1.0", "base = { kind = \"plane\" }\n");
+  ASSERT_EQ(loose.size(), 24U);
+  double largest = 0.0;
+  for (std::size_t k = 0; k < 24; ++k) {
+    largest = std::max(largest, magnitude(loose.line[k].position - regular.line[k].position));
+  }
+  EXPECT_LE(largest, 0.15);
+  EXPECT_GT(largest, 0.1);
+  EXPECT_NEAR(regular.line[0].position[1], 0.8, 1e-12);
+}
+
+}  // namespace
+}  // namespace repose
