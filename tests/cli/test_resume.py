@@ -10,6 +10,7 @@ import shutil
 import signal
 import subprocess
 import time
+from pathlib import Path
 
 import h5py
 import pytest
@@ -340,7 +341,8 @@ def test_damaged_files_are_not_analysed_wrongly(interrupted, name, cut):
         copy_of_cut(lab)
         path = lab.path / "copy" / name
         path.write_bytes(damaged(path.read_bytes(), part, cut))
-        for verb in ("analyse", "resume"):
+        derived = name in ("analysis.h5", "summary.json")  # made anew: a few parts tell
+        for verb in ("analyse", "resume") if not derived or part % 10 == 0 else ("analyse",):
             result = lab(verb, "copy", "--quiet", timeout=60)
             if result.returncode != 0:
                 assert_clear(result)
@@ -429,3 +431,49 @@ def test_the_analysis_hands_the_hash_of_the_state_on(undisturbed):
     before = summary(lab.path / "read_again")
     assert lab("analyse", "read_again", "--quiet").returncode == 0
     assert summary(lab.path / "read_again") == before
+
+
+@pytest.mark.parametrize("cut", [True, False], ids=["cut", "changed"])
+@pytest.mark.parametrize("name", ["run.h5", "analysis.h5", "summary.json", "frames/000000.h5"])
+def test_damaged_files_are_not_read_by_the_package(interrupted, package, name, cut):
+    """The Python package says so in one line, or what it reads is right."""
+    lab = interrupted
+    right = package.open(lab.path / "cut")
+    for part in range(0, PARTS + (0 if cut else 1)):
+        copy_of_cut(lab)
+        path = lab.path / "copy" / name
+        path.write_bytes(damaged(path.read_bytes(), part, cut))
+        try:
+            found = package.open(lab.path / "copy")
+            assert repr(found.attributes) == repr(right.attributes) and found.summary == right.summary
+            assert same_state(found.state, right.state) and same_state(found.frame(0), right.frame(0))
+            assert found.analysis["surface"].keys() == right.analysis["surface"].keys()
+            intact = path.read_bytes()[512:] == (lab.path / "cut" / name).read_bytes()[512:]
+            assert intact, f"part {part} was read as if nothing had happened"
+        except package.RunFolderError as error:
+            assert name.split("/")[-1] in str(error) and "\n" not in str(error)
+
+
+def same_state(first, second):
+    return all(getattr(first.grains, name).tobytes() == getattr(second.grains, name).tobytes()
+               for name in ("id", "position", "velocity", "spin", "radius"))
+
+
+@pytest.fixture
+def package(monkeypatch):
+    monkeypatch.syspath_prepend(str(Path(__file__).resolve().parents[2] / "python"))
+    import repose
+
+    return repose
+
+
+def test_the_package_says_once_that_it_cannot_tell_damage(undisturbed, package, monkeypatch):
+    from repose import hdf5
+
+    monkeypatch.setattr(hdf5, "xxhash", None)
+    hdf5.can_hash.cache_clear()
+    with pytest.warns(UserWarning, match="no Python package xxhash") as caught:
+        package.open(undisturbed.path / "whole")
+        package.open(undisturbed.path / "whole")
+    assert len(caught) == 1
+    hdf5.can_hash.cache_clear()

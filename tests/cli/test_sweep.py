@@ -131,6 +131,31 @@ def test_killed_at_ten_random_moments_the_table_is_the_same(sweep):
     assert contents(sweep.path / "killed") == whole
 
 
+@pytest.mark.parametrize("track_is_sound", [True, False])
+def test_a_member_that_was_cut_off_goes_on_from_its_checkpoint(sweep, track_is_sound):
+    """Frames from before are not written again, unless the member has to start anew since a part of it is damaged."""
+    sweep.scene(HEAP.replace("count = 40", "count = 200") + "[output]\ntrack = 1\nframes = 10\ncheckpoint = 1e-3\n",
+                "heap.toml")
+    sweep.scene(SWEEP.replace("seeds = 3", "seeds = 1"), "sweep.toml")
+    run_sweep(sweep, "--quiet", out="whole")
+    process = subprocess.Popen([PROGRAM, "sweep", "sweep.toml", "--out", "cut", "--quiet", "--threads", "1"],
+                               cwd=sweep.path)
+    member = sweep.path / "cut/members/friction=0.2/seed-1"
+    while not ((member / "frames/000003.h5").exists() and (member / "checkpoints/1.h5").exists()):
+        assert process.poll() is None, "the sweep was over before it could be killed"
+        time.sleep(0.005)
+    process.kill()
+    process.wait()
+    first = member / "frames/000000.h5"
+    written = first.stat().st_mtime_ns
+    if not track_is_sound:
+        for segment in member.glob("track/*.h5"):
+            segment.write_bytes(segment.read_bytes()[:-1])
+    run_sweep(sweep, "--quiet", out="cut")
+    assert contents(sweep.path / "cut") == contents(sweep.path / "whole")
+    assert (first.stat().st_mtime_ns == written) == track_is_sound
+
+
 def test_a_finished_member_is_not_run_again(sweep):
     run_sweep(sweep)
     marks = {path: path.stat().st_mtime_ns for path in sweep.path.glob("out/members/*/*/run.h5")}

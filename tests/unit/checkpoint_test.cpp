@@ -159,5 +159,41 @@ TEST_F(CheckpointTest, StateOfAnotherShapeIsRefused) {
   EXPECT_THROW(bring_back(path("kept.h5"), missing), InputError);
 }
 
+/// An array that is kept under one name, of whatever type.
+template <class T>
+struct Kept {
+  void exchange(Archive& archive) { archive.array("values", values); }
+  std::vector<T> values;
+};
+
+// Twice as many items of half the size are as many bytes.
+TEST_F(CheckpointTest, ItemsOfAnotherSizeAreRefused) {
+  Kept<Vec<2>> vectors{{{{1.0, 2.0}}, {{3.0, 4.0}}}};
+  keep(path("kept.h5"), vectors);
+  Kept<double> numbers;
+  EXPECT_THROW(bring_back(path("kept.h5"), numbers), InputError);
+  Kept<Vec<2>> again;
+  bring_back(path("kept.h5"), again);
+  EXPECT_EQ(again.values, vectors.values);
+  Kept<Vec<2>> none;
+  keep(path("none.h5"), none);
+  bring_back(path("none.h5"), again);
+  EXPECT_TRUE(again.values.empty());
+  EXPECT_THROW(bring_back(path("none.h5"), numbers), InputError);
+}
+
+TEST_F(CheckpointTest, ArraysThatDoNotFitEachOtherAreRefused) {
+  Crowd crowd;
+  crowd.grains.id.pop_back();
+  keep(path("kept.h5"), crowd.grains);
+  Grains<2> grains;
+  try {
+    bring_back(path("kept.h5"), grains);
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("state/grains: does not fit the rest"), std::string::npos) << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace repose

@@ -76,7 +76,24 @@ base = { kind = "plane", smooth = true }
 source = { kind = "pour", count = 5, rate = 10, height = 0.1 }
 stop = { at_rest = 1e-5 }
 )";
-  for (const auto& text : {heap_text, hooke}) {
+  const std::string species = R"(
+grains = { shares = "mass" }
+base = { kind = "deposited", half_width = 20 }
+source = { kind = "rain", count = 5, rate = 10, height_above = "apex", velocity = [0.1, -0.2] }
+stop = { at_rest = 1e-5 }
+[[species]]
+sizes = { kind = "log-normal", mean = 0.8, deviation = 0.1 }
+[[species]]
+name = "sieved"
+sizes = { kind = "sieve", diameters = [0.5, 0.7, 1.0], passing = [0.0, 0.4, 1.0] }
+)";
+  const std::string block = R"(
+source = { kind = "lattice", rows = 3, columns = 4, gap = 0.1, jitter = 0.5 }
+stop = { at_rest = 1e-5 }
+[[species]]
+sizes = { kind = "table", diameters = [0.5, 1.0], weights = [2, 1] }
+)";
+  for (const auto& text : {heap_text, hooke, species, block}) {
     const auto scene = read_scene_text(text, "scene.toml");
     const auto complete = scene_text(scene);
     const auto again = scene_text(read_scene_text(complete, "complete.toml"));

@@ -65,6 +65,7 @@ void GrainLines::read(std::size_t line, const std::vector<std::string_view>& cel
   for (std::size_t k = 0; k < cells.size(); ++k) {
     if (!set(row, k, line, cells[k])) return;
   }
+  if (row.base && !row.fixed) return problems_.add(line, "base = 1: a grain of the base must be fixed");
   rows_.push_back(row);
   if (row.id) lines_.push_back(line);
 }

@@ -29,7 +29,7 @@ inline constexpr std::int64_t last_snapshot = -1;
 
 /// Reads a table of grains (comma, semicolon or tab between the values, under a line of names) or a snapshot of
 /// a LAMMPS text dump: that of a step, or the last; which kind of file, the content says. Columns:
-/// docs/reference/grains-files.md. Grains that have ids come by ascending id, others as they are in the file. Throws
+/// docs/reference/scene.md. Grains that have ids come by ascending id, others as they are in the file. Throws
 /// InputError, one line "file:line: what" for each of the first 20 problems, then the number of the others.
 std::vector<GrainRow> read_grains_file(const std::string& path, std::int64_t step = last_snapshot);
 

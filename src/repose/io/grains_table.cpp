@@ -75,9 +75,8 @@ GrainLines read_header(std::size_t line, const std::vector<std::string_view>& ce
   const auto count = [&](GrainColumn column) { return std::count(columns.begin(), columns.end(), column); };
   const bool one_size = count(GrainColumn::radius) + count(GrainColumn::diameter) == 1;
   if (count(GrainColumn::x) == 0 || count(GrainColumn::y) == 0 || !one_size) {
-    problems.add(line, "must have the columns x, y, and either radius or diameter");
+    problems.stop(line, "must have the columns x, y, and either radius or diameter");
   }
-  problems.check();  // the lines below would only say the same again
   return {problems, columns, given};
 }
 

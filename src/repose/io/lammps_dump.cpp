@@ -58,6 +58,7 @@ class Dump {
     file_.clear();
     file_.seekg(start_->place);
     line_ = start_->line;
+    started_ = false;
     while (!grains_ && next()) read_item(true);
     return grains_->take();
   }

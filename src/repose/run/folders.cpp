@@ -10,7 +10,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
+#include <thread>
 
 namespace fs = std::filesystem;
 
@@ -48,13 +50,19 @@ std::vector<std::string> folder_problems(const std::string& path) {
   return {};
 }
 
-FolderLock::FolderLock(const std::string& path)
+FolderLock::FolderLock(const std::string& path, double patience)
     : descriptor_(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
   if (descriptor_ < 0 && (errno == ENOENT || errno == ENOTDIR)) {
     throw InputError(fmt::format("{}: no such folder", path));
   }
   if (descriptor_ < 0) throw InputError(fmt::format("{}: cannot be opened: {}", path, std::strerror(errno)));
-  if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;  // not every file system has locks
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<double>(patience);
+  do {
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
+      return;  // not every file system has locks
+    if (patience > 0.0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  } while (Clock::now() < end);
   ::close(descriptor_);
   throw InputError(fmt::format("{}: a run is being written here by another program", path));
 }

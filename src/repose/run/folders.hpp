@@ -19,8 +19,8 @@ std::vector<std::string> folder_problems(const std::string& path);
 /// Holds a folder for one writer as long as it lives; the system lets go of it should the program be killed.
 class FolderLock {
  public:
-  /// Throws InputError if there is no such folder or another program has it.
-  explicit FolderLock(const std::string& path);
+  /// Throws InputError if there is no such folder, or if another program has it and still has it after `patience` [s].
+  explicit FolderLock(const std::string& path, double patience = 0.0);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;

@@ -40,14 +40,19 @@ bool holds_nothing(const fs::path& path) {
                      [](const auto& entry) { return entry.path().filename() == unready; });
 }
 
+/// What the run of a folder starts from, under whatever ending.
+std::vector<fs::path> start_files(const fs::path& path) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(path)) {
+    if (entry.is_regular_file() && entry.path().stem() == "start") files.push_back(entry.path());
+  }
+  return files;
+}
+
 void clear_older_run(const fs::path& path) {
   for (const auto* name : own_folders) fs::remove_all(path / name);
   for (const auto* name : own_files) fs::remove(path / name);
-  std::vector<fs::path> starts;
-  for (const auto& entry : fs::directory_iterator(path)) {
-    if (entry.is_regular_file() && entry.path().stem() == "start") starts.push_back(entry.path());
-  }
-  for (const auto& start : starts) fs::remove(start);
+  for (const auto& file : start_files(path)) fs::remove(file);
 }
 
 }  // namespace
@@ -69,15 +74,11 @@ void RunFolder::complete_start(const std::string& path) {
   if (std::all_of(std::begin(own_files), std::end(own_files), [&](auto* name) { return is_there(start / name); })) {
     clear_older_run(path);
   }
-  // What the run starts from, under whatever ending, before the files by which a folder is known to hold a run.
-  std::vector<fs::path> others;
-  for (const auto& entry : fs::directory_iterator(start)) {
-    if (entry.path().stem() == "start") others.push_back(entry.path());
-  }
-  for (const auto& other : others) fs::rename(other, fs::path(path) / other.filename());
   for (const auto* name : own_files) {
     if (is_there(start / name)) fs::rename(start / name, fs::path(path) / name);
   }
+  // What the run starts from last: were it there while the others are not, it would go with an older run.
+  for (const auto& file : start_files(start)) fs::rename(file, fs::path(path) / file.filename());
   fs::remove_all(start);
 }
 

@@ -47,11 +47,12 @@ void keep(char* place, std::size_t room, const std::string& text) {
 std::unique_ptr<RunFolder> member_run(const std::string& path, const Scene& scene,
                                       std::unique_ptr<Simulation>& simulation) {
   std::filesystem::create_directories(path);
-  auto lock = std::make_unique<FolderLock>(path);
+  constexpr double patience = 5.0;  // with a member of a sweep that was killed and is about to end
+  auto lock = std::make_unique<FolderLock>(path, patience);
   simulation = std::make_unique<Simulation>(scene, 1);
   std::vector<std::string> damaged;
   if (const auto checkpoint = Checkpoint::latest(path, damaged);
-      checkpoint && checkpoint->scene() == scene_text(scene)) {
+      checkpoint && checkpoint->scene() == scene_text(simulation->scene())) {
     try {
       return std::make_unique<RunFolder>(path, *checkpoint, *simulation, std::move(lock));
     } catch (const InputError&) {  // its track is damaged
