@@ -188,6 +188,7 @@ class Soft final : public Method<D> {
         if (is_special(grains, i)) share.special.push_back(i);
       }
       share.special.push_back(std::numeric_limits<std::uint32_t>::max());
+      share.special_sum.assign(share.special.size(), {});
     }
     smallest_radius_ = std::numeric_limits<double>::infinity();
     for (const auto& grain : grains.line) smallest_radius_ = std::min(smallest_radius_, grain.radius);

@@ -157,15 +157,15 @@ REPOSE_FN void finish_row(const SweepInput<D, Law>& in, Grains<D>& grains, std::
   }
 }
 
-/// The end of a row that is not like most: its grain is fixed, near a wall or loaded. Apart, so that the loop over all
-/// rows stays small.
+/// The end of a row that is not like most: its grain is fixed, near a wall or loaded.
 template <bool Synchronised, bool Full, int D, class Law>
-[[gnu::noinline]] void finish_special_row(const SweepInput<D, Law>& in, Grains<D>& grains, std::size_t i,
-                                          const Share<D, Full>& mine, Slot<D, Full> sum) {
+void finish_special_row(const SweepInput<D, Law>& in, Grains<D>& grains, std::size_t i,
+                        const Share<D, Full>& mine, const Slot<D, Full>& of_pairs) {
   if (grains.line[i].fixed()) {
-    grains.reaction[i] += sum.force * in.settings.time_step;
+    grains.reaction[i] += of_pairs.force * in.settings.time_step;
     return;
   }
+  Slot<D, Full> sum = of_pairs;
   WallPush<D, Full> at_walls;
   if (in.walls.any()) {
     at_walls = push_of_walls(in, grains, i, mine);
@@ -230,8 +230,14 @@ void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Sha
   if (mine.rows.begin < mine.rows.end) receive_up_to(mine.rows.begin + mask);
 
   const std::uint32_t* special = mine.special.data();
+  Slot<D, Full>* special_sum = mine.special_sum.data();
   double fastest2 = 0.0;
   bool trouble = false;
+  const auto watch = [&](const Grain<D>& grain) {
+    const double speed2 = dot(grain.velocity, grain.velocity);
+    trouble |= !(speed2 < in.speed_limit2);  // also true for what is not a number
+    fastest2 = std::max(fastest2, speed2);
+  };
   std::size_t edge = 0;
   for (std::size_t row = mine.rows.begin; row < mine.rows.end; ++row) {
     const auto i = static_cast<std::uint32_t>(row);
@@ -256,14 +262,18 @@ void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Sha
     for (; k < row_stop; ++k, ++edge) sum.add(mine.edge_push[edge]);
     if (i == *special) [[unlikely]] {
       ++special;
-      finish_special_row<Synchronised>(in, grains, i, mine, sum);
+      *special_sum++ = sum;
     } else {
       finish_row<Synchronised>(in, grains, i, sum, WallPush<D, Full>{});
+      watch(line[i]);
     }
-    const double speed2 = dot(line[i].velocity, line[i].velocity);
-    trouble |= !(speed2 < in.speed_limit2);  // also true for what is not a number
-    fastest2 = std::max(fastest2, speed2);
     receive_up_to(row + 1 + mask);
+  }
+  // Nothing needs the old state of a row once the sweep is past it, so that these can wait: a call within the loop would
+  // cost all rows their registers.
+  for (std::size_t s = 0; s + 1 < mine.special.size(); ++s) {
+    finish_special_row<Synchronised>(in, grains, mine.special[s], mine, mine.special_sum[s]);
+    watch(line[mine.special[s]]);
   }
   mine.fastest2 = fastest2;
   mine.trouble = trouble;
