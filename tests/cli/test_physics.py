@@ -37,6 +37,33 @@ def test_disc_rests_on_fixed_disc(lab, normal, step, distance):
     assert summary(out)["force_residual"] < 1e-6
 
 
+BED = """
+grains = { polydispersity = 0.1 }
+box = { x = "periodic", half_width = 5.0 }
+base = { kind = "row", half_width = 5.0 }
+source = { kind = "lattice", rows = 8, columns = 9 }
+stop = { at_rest = 1e-5, time = %s }
+method = { time_step = %s }
+[contact]
+normal = { law = "hooke", stiffness = 1e4, damping = 0.2 }
+tangential = { law = "linear", stiffness = 5e3, damping = 0.5 }
+"""
+
+
+# Dashpots of all contacts of a grain act together: in a bed the spin of grains is unstable beyond K dt^2 + 2 C dt = 4,
+# K = 4 z k_t / m and C = 4 z c_t / m, so with z = 3 to 4 contacts beyond 0.0015 here, though a single contact stands
+# 0.0037. The automatic step (z = 6, and 0.7 of that) lets it come to rest; at three times that step it never does.
+def test_a_damped_bed(lab):
+    calm = lab.run(BED % (200, '"auto"'), out="calm")
+    assert summary(calm)["force_residual"] < 1e-5
+    step = summary(calm)["time_step"]
+    assert 0.0005 < step < 0.0008
+    said = lab("check", "scene.toml", "--set", f"method.time_step={4 * step}").stdout
+    assert "grains of a dense bed under the column may never come to rest" in said
+    restless = lab.run(BED % (50, 4 * step), out="restless")
+    assert summary(restless)["force_residual"] > 0.1
+
+
 def on_plane(body, base="kind = 'plane'", stop=40, more=""):
     return f"{more}[base]\n{base}\n[[grain]]\n{body}\n[stop]\ntime = {stop}\n"
 

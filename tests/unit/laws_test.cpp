@@ -112,6 +112,19 @@ TEST(TimeStep, StiffestContactOfAFall) {
   EXPECT_NEAR(frequency(Hertz{1e4, 0.5}, Mindlin{0.5, 0.2}), std::sqrt(1.5e4 * std::pow(100.0 / 4e3, 0.2)), 1e-9);
 }
 
+// Hooke k = 500, C = sqrt(k); surface k_t = 100, c_t = 10: grains that all spin the same way go unstable first,
+// at K dt^2 + 2 C dt = 4 with K = 24 * 100, C = 24 * 10. Without dashpots it is 2 / sqrt(K) of the stiffer mode.
+TEST(TimeStep, LargestOfABed) {
+  const auto largest = [](double damping, double surface_stiffness, double surface_damping) {
+    return largest_step_of_bed({Hooke{500.0, damping}, Linear{0.5, surface_stiffness, surface_damping}, {}, {}}, {}, {},
+                               10.0);
+  };
+  EXPECT_NEAR(largest(0.5, 100.0, 0.5), 4.0 / (240.0 + std::sqrt(240.0 * 240.0 + 4.0 * 2400.0)), 1e-9);
+  EXPECT_NEAR(largest(0.0, 100.0, 0.0), 2.0 / std::sqrt(6.0 * 600.0), 1e-9);
+  EXPECT_NEAR(largest(0.0, 400.0, 0.0), 2.0 / std::sqrt(24.0 * 400.0), 1e-9);
+  EXPECT_NEAR(largest(2.0, 1e-9, 0.0), 4.0 / (24.0 * std::sqrt(500.0) + std::sqrt(576.0 * 500.0 + 4.0 * 3000.0)), 1e-9);
+}
+
 // The viscous law: d m_red v, to the cap.
 TEST(ViscousLaw, ClosedForm) {
   double nothing = 0.0;

@@ -104,9 +104,11 @@ std::string describe(const Scene& scene) {
     text += fmt::format("between          {} and {}\n", pair.first, pair.second);
     text += laws_text(pair.contact, scene, " ");
   }
-  text +=
-      fmt::format("time step        {:.6g} ({}; w dt = {:.3g} for the stiffest contact of a fall from the source)\n",
-                  step, scene.method.time_step ? "given" : "auto", step * scene.contact_frequency());
+  text += fmt::format(
+      "time step        {:.6g} ({}; w dt = {:.3g} for the stiffest contact of a fall from the source; {:.3g} of the "
+      "largest for a dense bed)\n",
+      step, scene.method.time_step ? "given" : "auto", step * scene.contact_frequency(),
+      step / scene.largest_step_of_bed());
   text +=
       fmt::format("velocities       {}{}\n", scene.synchronised() ? "synchronised" : "half-step",
                   scene.method.velocities == "auto"
@@ -155,6 +157,12 @@ std::string describe_contacts(const Scene& scene) {
                                 100.0 * most_overlap);
       }
     }
+  }
+  if (const double largest = scene.largest_step_of_bed(); step > largest) {
+    warnings += fmt::format(
+        "warning          grains of a dense bed under the column may never come to rest at this step; at {:.3g} and "
+        "below they do\n",
+        largest);
   }
   return text + warnings;
 }

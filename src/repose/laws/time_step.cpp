@@ -2,10 +2,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/laws/time_step.hpp"
 
+#include "repose/laws/impact.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace repose {
+
+namespace {
+
+/// Stiffness [M/T^2] and dashpot [M/T] of something that is pushed and moved.
+struct Response {
+  double stiffness;
+  double dashpot;
+};
+
+/// Of the contact along the normal, at rest at this touch.
+Response normal_response(const AnyNormal& law, Touch<double> touch) {
+  const auto rest = normal_force(law, touch);
+  touch.closing_speed = 1e-6;
+  return {rest.stiffness, (normal_force(law, touch).total - rest.total) / touch.closing_speed};
+}
+
+/// Of its surface, from a displacement and a speed too small to slide.
+Response surface_response(const AnyTangential& law, const Touch<double>& touch, const NormalForce<double>& normal) {
+  const double small = 1e-9 * touch.diameter;
+  const double speed = 1e-9;
+  double displaced = small;
+  double fresh = 0.0;
+  return {-tangential_force(law, touch, normal, 0.0, 0.0, displaced) / small,
+          -tangential_force(law, touch, normal, speed, 0.0, fresh) / speed};
+}
+
+double largest_stable_step(const Response& mode) {
+  const double c = mode.dashpot;
+  const double k = mode.stiffness;
+  return 4.0 / (c + std::sqrt(c * c + 4.0 * k));
+}
+
+}  // namespace
 
 StiffestContact stiffest_contact(const ContactLaws& laws, const GrainSize& mover, const GrainSize& partner,
                                  double gravity, double fall) {
@@ -18,6 +54,24 @@ StiffestContact stiffest_contact(const ContactLaws& laws, const GrainSize& mover
   const double stiffest =
       std::max({normal, std::visit(at_surface, laws.tangential), std::visit(at_surface, laws.rolling)});
   return {std::sqrt(stiffest / m)};
+}
+
+double largest_step_of_bed(const ContactLaws& laws, const GrainSize& mover, const GrainSize& partner, double force) {
+  constexpr double neighbours = 6.0;
+  const double m = mover.mass;
+  const double pair_mass = 2.0 * m * partner.mass / (m + partner.mass);
+  const double diameter = 0.5 * (mover.diameter + partner.diameter);
+  const AnyNormal normal_law{laws.normal};
+  const double overlap = static_overlap(normal_law, pair_mass, diameter, force);
+  if (!std::isfinite(overlap)) return std::numeric_limits<double>::infinity();
+  const double distance = diameter - overlap;
+  const auto touch = make_touch(distance, 1.0 / distance, diameter, reach(normal_law) * diameter, 0.0, pair_mass);
+  const auto normal = normal_response(normal_law, touch);
+  const auto surface = surface_response({laws.tangential}, touch, normal_force(normal_law, touch));
+  const Response against{neighbours * (normal.stiffness + surface.stiffness) / m,
+                         neighbours * (normal.dashpot + surface.dashpot) / m};
+  const Response spinning{4.0 * neighbours * surface.stiffness / m, 4.0 * neighbours * surface.dashpot / m};
+  return std::min(largest_stable_step(against), largest_stable_step(spinning));
 }
 
 }  // namespace repose

@@ -11,7 +11,7 @@ namespace {
 void method_keys(Scene& scene, Keys& keys) {
   keys.choice("method.kind", scene.method.kind, "soft", {"soft"}, "how the grains are moved");
   keys.optional_number("method.time_step", scene.method.time_step, "auto", positive, "T",
-                       "\"auto\": half a radian of the stiffest contact");
+                       "\"auto\": half a radian of the stiffest contact, and with which a dense bed comes to rest");
   keys.choice("method.velocities", scene.method.velocities, "auto", {"auto", "half-step", "synchronised"},
               "velocities in forces: of the half step, or predicted for the full one (auto: for size ratios above 2)");
   keys.number("method.skin", scene.method.skin, 0.3 * scene.grains.diameter, positive, "L",

@@ -76,7 +76,7 @@ double rounded_down(double x) {
 void check_time_step(const Scene& scene, Reader& reader) {
   if (!reader.problems().empty()) return;
   const double frequency = scene.contact_frequency();
-  if (const double automatic = auto_phase / frequency; !scene.method.time_step) {
+  if (const double automatic = scene.automatic_step(); !scene.method.time_step) {
     if (std::isfinite(automatic) && automatic > 0.0) return;
     return reader.problem("method.time_step",
                           fmt::format(" = \"auto\": finds no step: the stiffest contact has the frequency w = {:.4g};"
@@ -90,7 +90,7 @@ void check_time_step(const Scene& scene, Reader& reader) {
       fmt::format(" = {}: unstable: the stiffest contact (a fall from the source) has the frequency w = {:.4g}"
                   " and w dt = {:.3g} > 1; the largest step that is not refused is {:.4g}, \"auto\" takes "
                   "{:.4g} [T]",
-                  step, frequency, step * frequency, rounded_down(largest_phase / frequency), auto_phase / frequency));
+                  step, frequency, step * frequency, rounded_down(largest_phase / frequency), scene.automatic_step()));
 }
 
 }  // namespace

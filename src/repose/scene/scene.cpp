@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace repose {
 
@@ -91,6 +92,30 @@ double Scene::expected_column() const {
   return std::max(1.0, std::sqrt(static_cast<double>(source.count + start.moving) * 0.9 / std::sqrt(3.0)));
 }
 
+namespace {
+
+/// The contacts between all materials and the sizes at the ends of their range: laws, who moves, and its partner.
+template <class Use>
+void for_every_contact(const Scene& scene, const Use& use) {
+  const auto names = scene.material_names();
+  const auto laws = scene.material_laws();
+  const auto size = [&](double diameter, const std::string& material) {
+    return GrainSize{diameter, scene.mass_of(diameter, material)};
+  };
+  const double sizes[] = {scene.smallest_diameter(), scene.grains.diameter, scene.largest_diameter()};
+  for (std::size_t a = 0; a < names.size(); ++a) {
+    for (std::size_t b = 0; b < names.size(); ++b) {
+      for (const double mover : {sizes[0], sizes[2]}) {
+        for (const double partner : sizes) {
+          use(laws.table[a * names.size() + b], size(mover, names[a]), size(partner, names[b]));
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
 double Scene::contact_frequency() const {
   const auto rise = [&](const std::array<double, 2>& velocity) {
     return gravity > 0.0 ? 0.5 * (std::pow(velocity[0], 2) + std::pow(velocity[1], 2)) / gravity : 0.0;
@@ -102,23 +127,26 @@ double Scene::contact_frequency() const {
     fall = std::max(start.fall, static_cast<double>(source.rows) * pitch);
   }
   for (const auto& grain : placed) fall = std::max(fall, rise(grain.velocity) + std::max(0.0, grain.position[1]));
-  const auto names = material_names();
-  const auto laws = material_laws();
   double frequency = 0.0;
-  for (std::size_t a = 0; a < names.size(); ++a) {
-    for (std::size_t b = 0; b < names.size(); ++b) {
-      for (const double mover : {smallest_diameter(), largest_diameter()}) {
-        for (const double partner : {smallest_diameter(), grains.diameter, largest_diameter()}) {
-          const auto stiffest = stiffest_contact(laws.table[a * names.size() + b], {mover, mass_of(mover, names[a])},
-                                                 {partner, mass_of(partner, names[b])}, gravity, fall);
-          frequency = std::max(frequency, stiffest.frequency);
-        }
-      }
-    }
-  }
+  for_every_contact(*this, [&](const ContactLaws& laws, const GrainSize& mover, const GrainSize& partner) {
+    frequency = std::max(frequency, stiffest_contact(laws, mover, partner, gravity, fall).frequency);
+  });
   return frequency;
 }
 
-double Scene::time_step() const { return method.time_step ? *method.time_step : auto_phase / contact_frequency(); }
+double Scene::largest_step_of_bed() const {
+  const double force = expected_column() * grain_weight();
+  double step = std::numeric_limits<double>::infinity();
+  for_every_contact(*this, [&](const ContactLaws& laws, const GrainSize& mover, const GrainSize& partner) {
+    step = std::min(step, repose::largest_step_of_bed(laws, mover, partner, force));
+  });
+  return step;
+}
+
+double Scene::automatic_step() const {
+  return std::min(auto_phase / contact_frequency(), auto_part_of_bed * largest_step_of_bed());
+}
+
+double Scene::time_step() const { return method.time_step ? *method.time_step : automatic_step(); }
 
 }  // namespace repose

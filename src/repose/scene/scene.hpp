@@ -215,9 +215,11 @@ struct Scene {
   /// The number of grains that may stand above one at the base, for overlaps at rest: all grains in a heap of 30
   /// degrees.
   double expected_column() const;
-  double time_step() const;          ///< [T] given or automatic
-  bool synchronised() const;         ///< given, or chosen for size ratios above 2
-  double contact_frequency() const;  ///< [1/T] of the stiffest contact that the time step is judged by
+  double time_step() const;            ///< [T] given or automatic
+  double automatic_step() const;       ///< [T]
+  double largest_step_of_bed() const;  ///< [T] with which grains under the expected column come to rest
+  bool synchronised() const;           ///< given, or chosen for size ratios above 2
+  double contact_frequency() const;    ///< [1/T] of the stiffest contact that the time step is judged by
 };
 
 /// Size ratio above which velocities are predicted for the full step unless the scene says otherwise.

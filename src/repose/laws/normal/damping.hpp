@@ -19,7 +19,7 @@ enum class DampingKind {
 
 /// The coefficient by the kinds that know the true reduced mass; apart, so that the usual kind pays nothing for them.
 [[gnu::noinline, gnu::cold]] inline double dashpot_of_pair(DampingKind kind, double damping, double reduced_mass,
-                                                double stiffness) {
+                                                           double stiffness) {
   if (kind == DampingKind::viscosity) return damping * reduced_mass;
   return 2.0 * damping * std::sqrt(reduced_mass * stiffness);
 }

@@ -38,13 +38,13 @@ struct LoadedGrain {
 template <int D, bool Full>
 struct Share {
   Range rows;
-  std::vector<EdgePair> edges;           ///< ascending by (i, k): the order in which the sweep comes to them
-  std::vector<Push<D, Full>> edge_push;  ///< forces of the edges in this step
-  std::vector<Arrival> arrivals;         ///< edges that end in this range, ascending by (j, i)
-  std::vector<Slot<D, Full>> ring;       ///< size a power of two, more than the bandwidth
-  std::vector<std::uint32_t> special;    ///< grains fixed, near a wall or loaded, ascending; then one beyond all
+  std::vector<EdgePair> edges;             ///< ascending by (i, k): the order in which the sweep comes to them
+  std::vector<Push<D, Full>> edge_push;    ///< forces of the edges in this step
+  std::vector<Arrival> arrivals;           ///< edges that end in this range, ascending by (j, i)
+  std::vector<Slot<D, Full>> ring;         ///< size a power of two, more than the bandwidth
+  std::vector<std::uint32_t> special;      ///< grains fixed, near a wall or loaded, ascending; then one beyond all
   std::vector<Slot<D, Full>> special_sum;  ///< their pushes by other grains
-  std::vector<WallState> walls;          ///< every member moves the walls itself, by the same numbers
+  std::vector<WallState> walls;            ///< every member moves the walls itself, by the same numbers
   std::vector<WallNow<D>> walls_now;
   double fastest2 = 0.0;  ///< [L^2/T^2] of grains and walls in this step
   bool trouble = false;

@@ -159,8 +159,8 @@ REPOSE_FN void finish_row(const SweepInput<D, Law>& in, Grains<D>& grains, std::
 
 /// The end of a row that is not like most: its grain is fixed, near a wall or loaded.
 template <bool Synchronised, bool Full, int D, class Law>
-void finish_special_row(const SweepInput<D, Law>& in, Grains<D>& grains, std::size_t i,
-                        const Share<D, Full>& mine, const Slot<D, Full>& of_pairs) {
+void finish_special_row(const SweepInput<D, Law>& in, Grains<D>& grains, std::size_t i, const Share<D, Full>& mine,
+                        const Slot<D, Full>& of_pairs) {
   if (grains.line[i].fixed()) {
     grains.reaction[i] += of_pairs.force * in.settings.time_step;
     return;
@@ -269,8 +269,8 @@ void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Sha
     }
     receive_up_to(row + 1 + mask);
   }
-  // Nothing needs the old state of a row once the sweep is past it, so that these can wait: a call within the loop would
-  // cost all rows their registers.
+  // Nothing needs the old state of a row once the sweep is past it, so that these can wait: a call within the loop
+  // would cost all rows their registers.
   for (std::size_t s = 0; s + 1 < mine.special.size(); ++s) {
     finish_special_row<Synchronised>(in, grains, mine.special[s], mine, mine.special_sum[s]);
     watch(line[mine.special[s]]);

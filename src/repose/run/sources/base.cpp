@@ -10,7 +10,8 @@ namespace repose {
 
 namespace {
 
-void add_fixed(Grain<2> grain, Vec<2> position, std::uint16_t material, Grains<2>& grains, std::int64_t& id) {
+void add_fixed(const Grain<2>& like, Vec<2> position, std::uint16_t material, Grains<2>& grains, std::int64_t& id) {
+  auto grain = like;
   grain.inverse_mass = 0.0;
   grain.position = position;
   grains.add(grain, id++, true, material);
