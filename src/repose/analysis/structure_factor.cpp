@@ -76,11 +76,12 @@ class Waves {
   std::vector<double> up_real_, up_imaginary_;
 };
 
-/// By how much the variance of a mean over neighbouring wave vectors exceeds that of independent ones, per axis with a
-/// Hann window. Amplitudes `stride` grid steps apart have the correlation of the window's square: 2/3, 1/6, then 0.
-double excess_variance(int stride) {
-  if (stride == 1) return 1.0 + 2.0 * (4.0 / 9.0 + 1.0 / 36.0);
-  return stride == 2 ? 1.0 + 2.0 / 36.0 : 1.0;
+/// Correlation of the amplitudes of independent points at wave vectors some grid steps apart along an axis: the Fourier
+/// components of the squared window.
+double amplitude_correlation(int steps, bool hann) {
+  if (steps == 0) return 1.0;
+  if (!hann || std::abs(steps) > 2) return 0.0;
+  return std::abs(steps) == 1 ? 2.0 / 3.0 : 1.0 / 6.0;
 }
 
 }  // namespace
@@ -131,31 +132,52 @@ IsotropicStructureFactor isotropic_structure_factor(const std::vector<Vec<2>>& p
     waves.add(point - Vec<2>{{slab.box.x_min, slab.low}}, w, reach);
   }
 
-  // A Hann window has three Fourier components, 0 and +-1: the mean density shows there and nowhere else.
   const bool smeared_y = options.window == Window::hann;
   const bool smeared_x = smeared_y && !slab.box.periodic;
-  std::vector<std::vector<double>> shell(options.shells);
+  // Shell of a wave vector, -1 for none. A Hann window has three Fourier components, 0 and +-1: the mean density shows
+  // there and nowhere else.
+  const auto shell_of = [&](int k, int m) {
+    if (std::abs(k) > most_k || std::abs(m) > reach[static_cast<std::size_t>(std::abs(k))]) return -1;
+    if (std::abs(k) * stride <= (smeared_x ? 1 : 0) && std::abs(m) * stride <= (smeared_y ? 1 : 0)) return -1;
+    const double place = std::hypot(k * unit[0], m * unit[1]) / largest;
+    const auto shells = static_cast<int>(options.shells);
+    return std::min(shells - 1, static_cast<int>(place * shells));
+  };
+  // Sum over the neighbours of a wave vector in its own shell of the correlation of their S, itself included: by that
+  // much the variance of the shell's mean exceeds that of independent values.
+  const auto dependence = [&](int k, int m, int shell) {
+    const int wide = smeared_x ? 2 / stride : 0;
+    const int high = smeared_y ? 2 / stride : 0;
+    double sum = 0.0;
+    for (int dk = -wide; dk <= wide; ++dk) {
+      for (int dm = -high; dm <= high; ++dm) {
+        if (shell_of(k + dk, m + dm) != shell) continue;
+        sum += squared(amplitude_correlation(dk * stride, smeared_x) * amplitude_correlation(dm * stride, smeared_y));
+      }
+    }
+    return sum;
+  };
+  std::vector<std::vector<double>> values(options.shells);
   std::vector<double> wave_numbers(options.shells, 0.0);
+  std::vector<double> dependences(options.shells, 0.0);
   for (int k = 0; k <= most_k; ++k) {
     const int furthest = reach[static_cast<std::size_t>(k)];
     for (int m = k == 0 ? 1 : -furthest; m <= furthest; ++m) {
-      const bool of_mean_x = k * stride <= (smeared_x ? 1 : 0);
-      const bool of_mean_y = std::abs(m) * stride <= (smeared_y ? 1 : 0);
-      if (of_mean_x && of_mean_y) continue;
-      const double q = std::hypot(k * unit[0], m * unit[1]);
-      const auto bin =
-          std::min(options.shells - 1, static_cast<std::size_t>(q / largest * static_cast<double>(options.shells)));
-      shell[bin].push_back(waves.power(static_cast<std::size_t>(k), m) / squares);
-      wave_numbers[bin] += q;
+      const int shell = shell_of(k, m);
+      if (shell < 0) continue;
+      const auto s = static_cast<std::size_t>(shell);
+      values[s].push_back(waves.power(static_cast<std::size_t>(k), m) / squares);
+      wave_numbers[s] += std::hypot(k * unit[0], m * unit[1]);
+      dependences[s] += dependence(k, m, shell);
     }
   }
-  const double excess = (smeared_x ? excess_variance(stride) : 1.0) * (smeared_y ? excess_variance(stride) : 1.0);
-  for (std::size_t bin = 0; bin < options.shells; ++bin) {
-    if (shell[bin].empty()) continue;
-    const auto mean = mean_of(shell[bin]);
-    result.wave_number.push_back(wave_numbers[bin] / static_cast<double>(mean.count));
+  for (std::size_t s = 0; s < options.shells; ++s) {
+    if (values[s].empty()) continue;
+    const auto mean = mean_of(values[s]);
+    const auto count = static_cast<double>(mean.count);
+    result.wave_number.push_back(wave_numbers[s] / count);
     result.value.push_back(mean.mean);
-    result.error.push_back(mean.error * std::sqrt(excess));
+    result.error.push_back(mean.error * std::sqrt(dependences[s] / count));
     result.vectors.push_back(mean.count);
   }
   return result;

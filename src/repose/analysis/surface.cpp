@@ -172,8 +172,10 @@ RoughnessScaling roughness_scaling(const SurfaceProfile& profile, const std::vec
 
 std::vector<std::size_t> usual_windows(const SurfaceProfile& profile) {
   std::vector<std::size_t> windows;
-  for (double length = 4.0; length <= 0.25 * static_cast<double>(profile.height.size()); length *= std::sqrt(2.0)) {
-    windows.push_back(static_cast<std::size_t>(std::lround(length)));
+  for (int k = 0;; ++k) {
+    const auto length = static_cast<std::size_t>(std::lround(4.0 * std::pow(2.0, 0.5 * k)));
+    if (4 * length > profile.height.size()) break;
+    windows.push_back(length);
   }
   return windows;
 }
