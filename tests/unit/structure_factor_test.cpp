@@ -115,7 +115,7 @@ TEST(StructureFactor, shells_are_means_of_direct_sums) {
     ASSERT_EQ(one.vectors.at(0), vectors.size());
     EXPECT_NEAR(one.value.at(0), mean_of(structure_factor(points, vectors, slab, window)).mean, 1e-12);
     // Every third vector, both ways, where only so many are allowed.
-    options.most_vectors = vectors.size() / 8;
+    options.most_vectors = vectors.size() / 7;
     const auto thinned = isotropic_structure_factor(points, slab, options);
     std::erase_if(vectors, [](const Vec<2>& q) {
       return std::lround(q[0] * 9.0 / (2.0 * pi)) % 3 != 0 || std::lround(q[1] * 7.0 / (2.0 * pi)) % 3 != 0;

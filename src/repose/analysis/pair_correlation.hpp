@@ -35,8 +35,9 @@ struct PairCorrelation {
 /// Pairs of deposited discs with both centres in the slab. What is expected at a distance is exact for uniform points:
 /// around each disc the area of the part of the ring that lies in the slab (closed form), times the density of the
 /// others, (N - 1)/area; along x and y the share of the slab that stays in it when moved by (dx, dy). A radial reach is
-/// at most half the width of a periodic box, so that images do not meet. A gradient of density shows as a slope. Empty
-/// for fewer than two discs. Cost: the pairs within reach. Validated by tests/unit/pair_correlation_test.cpp.
+/// at most half the width of a periodic box, so that images do not meet. A gradient of density shows as a value
+/// above 1. Errors take pairs as independent, which holds without correlation. Empty for fewer than two discs. Cost:
+/// the pairs within reach. Validated by tests/unit/pair_correlation_test.cpp.
 PairCorrelation pair_correlation(const Discs& discs, const Slab& slab, const PairCorrelationOptions& options = {});
 
 }  // namespace repose
