@@ -82,7 +82,10 @@ TEST(PackingSlab, says_why_there_is_none) {
   EXPECT_EQ(problem(ends, box), "disc 3 has no place or no radius");
   PackingOptions wrong;
   wrong.gap = -1.0;
-  EXPECT_EQ(problem(ends, box, wrong), "gap must be >= 0, column > 0, blocks and directions at least 1");
+  EXPECT_EQ(problem(ends, box, wrong), "gap must be >= 0; column, bin_width and strip must be > 0");
+  wrong = {};
+  wrong.density_bins = 0;
+  EXPECT_EQ(problem(ends, box, wrong), "blocks, directions and density_bins must be at least 1");
 }
 
 TEST(Packing, of_grains_comes_in_order_of_id_and_wrapped) {

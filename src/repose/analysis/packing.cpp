@@ -30,8 +30,11 @@ IsotropicStructureFactor read_structure(const Discs& discs, const Slab& slab, St
 }  // namespace
 
 PackingResult analyse_packing(const Discs& discs, const Box<2>& box, const PackingOptions& options) {
-  if (!(options.gap >= 0.0) || !(options.column > 0.0) || options.blocks == 0 || options.directions == 0) {
-    return {{}, "gap must be >= 0, column > 0, blocks and directions at least 1"};
+  const bool right = options.gap >= 0.0 && options.column > 0.0 && options.pair_correlation.bin_width > 0.0 &&
+                     options.pair_correlation.strip > 0.0;
+  if (!right) return {{}, "gap must be >= 0; column, bin_width and strip must be > 0"};
+  if (options.blocks == 0 || options.directions == 0 || options.density_bins == 0) {
+    return {{}, "blocks, directions and density_bins must be at least 1"};
   }
   auto found = find_slab(discs, box, options.slab);
   if (!found.slab) return {{}, std::move(found.problem)};

@@ -24,7 +24,7 @@ std::vector<double> structure_factor(const std::vector<Vec<2>>& points, const st
                                      const Slab& slab, Window window);
 
 struct StructureFactorOptions {
-  double largest = 0.0;               ///< [1/L] largest |q|; 0: 4 pi over the mean diameter
+  double largest = 0.0;               ///< [1/L] largest |q|; 0 makes analyse_packing take 4 pi over the mean diameter
   std::size_t shells = 60;            ///< bins of |q|
   std::size_t most_vectors = 20'000;  ///< beyond that only every second, third ... multiple is taken, both ways
   Window window = Window::hann;
