@@ -18,7 +18,6 @@ namespace repose {
 
 namespace {
 
-constexpr double cut_off = 1.5;  // inscribed radius of the cut-off polygon over the largest diameter
 constexpr int cut_off_sides = 32;
 
 // What a face of a cell comes from. voro++ numbers the faces of the prism that a cell starts as from -1 to -6: left,
@@ -62,14 +61,19 @@ struct Neighbour {
 /// Neighbours of one site that can cut its cell, nearest first.
 class Surroundings {
  public:
-  Surroundings(const Grains<2>& grains, const Sites& sites, const Box<2>& box, double unit)
-      : grains_(grains), sites_(sites), box_(box), unit_(unit), grid_(sites.position, box, 2.0 * unit) {}
+  Surroundings(const Grains<2>& grains, const Sites& sites, const Box<2>& box, double unit, double cut_off)
+      : grains_(grains),
+        sites_(sites),
+        box_(box),
+        unit_(unit),
+        cut_off_(cut_off),
+        grid_(sites.position, box, 2.0 * unit) {}
 
   const std::vector<Neighbour>& of(std::size_t site) {
     near_.clear();
     // The radical line of a neighbour at distance d lies (d^2 + r_i^2 - r_j^2) / (2 d) away: beyond the corners of the
     // cut-off if d exceeds this reach.
-    const double corner = cut_off * unit_ / std::cos(std::numbers::pi / cut_off_sides);
+    const double corner = cut_off_ * unit_ / std::cos(std::numbers::pi / cut_off_sides);
     const double radius = grains_.line[sites_.grain[site]].radius;
     const double reach = corner + std::sqrt(squared(corner) + squared(sites_.largest) - squared(radius));
     const auto cell = grid_.cell_of(sites_.position[site]);
@@ -114,6 +118,7 @@ class Surroundings {
   const Sites& sites_;
   const Box<2>& box_;
   double unit_;
+  double cut_off_;
   CellGrid<2> grid_;
   std::vector<Neighbour> near_;
 };
@@ -121,7 +126,7 @@ class Surroundings {
 /// Polygon of one cell, about the origin and in units of the largest diameter: the end of a prism that voro++ cuts.
 class Polygon {
  public:
-  Polygon() {
+  explicit Polygon(double cut_off) : cut_off_(cut_off) {
     for (int side = 0; side < cut_off_sides; ++side) {
       const double angle = 2.0 * std::numbers::pi * side / cut_off_sides;
       normals_[static_cast<std::size_t>(side)] = {{std::cos(angle), std::sin(angle)}};
@@ -129,7 +134,7 @@ class Polygon {
   }
 
   void start() {
-    prism_.init(-cut_off, cut_off, -cut_off, cut_off, -0.5, 0.5);
+    prism_.init(-cut_off_, cut_off_, -cut_off_, cut_off_, -0.5, 0.5);
     empty_ = false;
   }
   /// Keeps the points x with 2 x . towards < limit.
@@ -143,10 +148,10 @@ class Polygon {
     double farthest = 0.0;
     for (std::size_t k = 0; k < places_.size(); k += 3)
       farthest = std::max(farthest, squared(Vec<2>{{places_[k], places_[k + 1]}}));
-    if (farthest <= squared(cut_off)) return;
+    if (farthest <= squared(cut_off_)) return;
     for (int side = 0; side < cut_off_sides; ++side) {
       if (side % (cut_off_sides / 4) == 0) continue;  // these four the prism started with
-      keep_below(normals_[static_cast<std::size_t>(side)], 2.0 * cut_off, cut_off_side);
+      keep_below(normals_[static_cast<std::size_t>(side)], 2.0 * cut_off_, cut_off_side);
     }
   }
 
@@ -184,6 +189,7 @@ class Polygon {
     cell.area = 0.5 * std::fabs(doubled);
   }
 
+  double cut_off_;  // inscribed radius
   std::array<Vec<2>, cut_off_sides> normals_{};
   voro::voronoicell_neighbor prism_;
   bool empty_ = false;
@@ -195,14 +201,14 @@ class Polygon {
 }  // namespace
 
 std::vector<VoronoiCell> voronoi(const Grains<2>& grains, const std::vector<bool>& in_heap,
-                                 const std::vector<Edge>& edges, const Box<2>& box) {
+                                 const std::vector<Edge>& edges, const Box<2>& box, double cut_off) {
   REPOSE_ASSERT(in_heap.size() == grains.size());
   std::vector<VoronoiCell> cells;
   const Sites sites = find_sites(grains, in_heap, box);
   if (!(sites.largest_with_cell > 0.0)) return cells;
   const double unit = 2.0 * sites.largest_with_cell;  // keeps the absolute tolerance of voro++ small
-  Surroundings surroundings(grains, sites, box, unit);
-  Polygon polygon;
+  Surroundings surroundings(grains, sites, box, unit, cut_off);
+  Polygon polygon(cut_off);
   for (std::size_t site = 0; site < sites.grain.size(); ++site) {
     const auto k = sites.grain[site];
     if (!in_heap[k]) continue;

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/analysis/contact_graph.hpp"
+
+#include "repose/core/errors.hpp"
+#include "repose/neighbours/near_pairs.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace repose {
+
+ContactGraph contact_graph(const Discs& discs, const Box<2>& box, double gap) {
+  ContactGraph graph;
+  graph.start.assign(discs.size() + 1, 0);
+  if (discs.size() == 0) return graph;
+  const double largest = *std::max_element(discs.radius.begin(), discs.radius.end());
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  pairs.reserve(2 * discs.size());
+  for_near_pairs(discs.position, box, 2.0 * largest * (1.0 + gap), [&](std::uint32_t i, std::uint32_t j) {
+    if (!touch(discs, box, gap, i, j)) return;
+    pairs.emplace_back(i, j);
+    ++graph.start[i + 1];
+    ++graph.start[j + 1];
+  });
+  for (std::size_t k = 0; k < discs.size(); ++k) graph.start[k + 1] += graph.start[k];
+  graph.neighbour.resize(2 * pairs.size());
+  std::vector<std::uint32_t> next(graph.start.begin(), graph.start.end() - 1);
+  for (const auto& [i, j] : pairs) {
+    graph.neighbour[next[i]++] = j;
+    graph.neighbour[next[j]++] = i;
+  }
+  for (std::size_t k = 0; k < discs.size(); ++k) {
+    std::sort(graph.neighbour.begin() + graph.start[k], graph.neighbour.begin() + graph.start[k + 1]);
+  }
+  return graph;
+}
+
+std::vector<std::uint8_t> plane_contacts(const Discs& discs, const Planes& planes, double gap) {
+  std::vector<std::uint8_t> count(discs.size(), 0);
+  for (std::size_t k = 0; k < discs.size(); ++k) {
+    const double reach = discs.radius[k] * (1.0 + 2.0 * gap);
+    const auto& centre = discs.position[k];
+    if (planes.floor && centre[1] - *planes.floor < reach) ++count[k];
+    if (planes.left && centre[0] - *planes.left < reach) ++count[k];
+    if (planes.right && *planes.right - centre[0] < reach) ++count[k];
+  }
+  return count;
+}
+
+std::vector<std::uint8_t> rattlers(const Discs& discs, const ContactGraph& graph,
+                                   const std::vector<std::uint8_t>& on_planes, std::size_t least) {
+  REPOSE_ASSERT(on_planes.size() == discs.size());
+  std::vector<std::uint8_t> gone(discs.size(), 0);
+  std::vector<std::size_t> left(discs.size());
+  std::vector<std::uint32_t> waiting;
+  for (std::uint32_t k = 0; k < discs.size(); ++k) {
+    left[k] = graph.degree(k) + on_planes[k];
+    if (discs.base[k] || left[k] >= least) continue;
+    gone[k] = 1;
+    waiting.push_back(k);
+  }
+  while (!waiting.empty()) {
+    const auto disc = waiting.back();
+    waiting.pop_back();
+    for (const auto other : graph.of(disc)) {
+      --left[other];
+      if (gone[other] || discs.base[other] || left[other] >= least) continue;
+      gone[other] = 1;
+      waiting.push_back(other);
+    }
+  }
+  return gone;
+}
+
+}  // namespace repose

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/analysis/discs.hpp"
+#include "repose/core/box.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace repose {
+
+/// Which discs touch, by geometry alone.
+struct ContactGraph {
+  std::vector<std::uint32_t> start;      ///< (n + 1) first neighbour of each disc
+  std::vector<std::uint32_t> neighbour;  ///< ascending for each disc; every contact is listed from both its discs
+
+  std::size_t contacts() const { return neighbour.size() / 2; }
+  std::size_t degree(std::size_t disc) const { return start[disc + 1] - start[disc]; }
+  std::span<const std::uint32_t> of(std::size_t disc) const {
+    return {neighbour.data() + start[disc], neighbour.data() + start[disc + 1]};
+  }
+};
+
+/// Whether two discs touch: the gap between them is less than `gap` times their mean diameter (overlaps touch), by the
+/// nearest image.
+inline bool touch(const Discs& discs, const Box<2>& box, double gap, std::size_t i, std::size_t j) {
+  const double reach = (discs.radius[i] + discs.radius[j]) * (1.0 + gap);
+  return squared(separation(discs.position[i], discs.position[j], box)) < reach * reach;
+}
+
+/// All contacts with a gap less than `gap` >= 0 mean diameters of the pair. A pair counts once, so a periodic box must
+/// be wider than two largest diameters. Linear in the number of discs; as all pairs bit for bit
+/// (tests/unit/contact_graph_test.cpp).
+ContactGraph contact_graph(const Discs& discs, const Box<2>& box, double gap);
+
+/// Straight boundaries that count as neighbours of the discs that touch them.
+struct Planes {
+  std::optional<double> floor;  ///< [L] y of its surface
+  std::optional<double> left;   ///< [L] x of the left wall
+  std::optional<double> right;  ///< [L] x of the right wall
+};
+
+/// For every disc the number of planes nearer to its rim than `gap` times its diameter.
+std::vector<std::uint8_t> plane_contacts(const Discs& discs, const Planes& planes, double gap);
+
+/// One flag per disc: 1 for rattlers, found by taking away again and again all deposited discs with fewer than
+/// `least` contacts (with discs still there or planes). Base discs are never taken. Two is what a disc without rolling
+/// friction needs to rest on others; a disc that sticks by rolling friction is held by one, so that of a packing made
+/// by sticking alone (critical angle 90 degrees), a forest of trees, nothing is left.
+std::vector<std::uint8_t> rattlers(const Discs& discs, const ContactGraph& graph,
+                                   const std::vector<std::uint8_t>& on_planes, std::size_t least = 2);
+
+}  // namespace repose

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/core/box.hpp"
+#include "repose/core/grains.hpp"
+#include "repose/core/vec.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace repose {
+
+/// The discs of a packing: what its geometry is read from. Arrays of one length, in order of deposition (base first or
+/// not); positions of a periodic box are wrapped.
+struct Discs {
+  std::vector<Vec<2>> position;    ///< [L] centres
+  std::vector<double> radius;      ///< [L] > 0
+  std::vector<std::uint8_t> base;  ///< 1: belongs to the base, was not deposited
+
+  std::size_t size() const { return position.size(); }
+  void add(const Vec<2>& centre, double disc_radius, bool is_base = false) {
+    position.push_back(centre);
+    radius.push_back(disc_radius);
+    base.push_back(is_base ? 1 : 0);
+  }
+};
+
+/// The grains by ascending id (the order in which sources add them), wrapped into the box. A grain is of the base if it
+/// is flagged so; whether it is fixed does not matter, because some methods fix what they have deposited.
+Discs discs_of(const Grains<2>& grains, const Box<2>& box);
+
+/// Number of discs that are not of the base.
+std::size_t deposited_count(const Discs& discs);
+
+/// Mean diameter [L] of the discs that are not of the base; not a number for none.
+double mean_diameter(const Discs& discs);
+
+}  // namespace repose

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/analysis/pair_correlation.hpp"
+
+#include "repose/analysis/solid_fraction.hpp"
+#include "repose/neighbours/near_pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace repose {
+
+namespace {
+
+constexpr double usual_reach = 8.0;  // [mean diameters]
+
+struct Bins {
+  double width;
+  std::size_t count;
+
+  void add(std::vector<std::size_t>& pairs, double distance) const {
+    const auto bin = static_cast<std::size_t>(distance / width);
+    if (bin < count) ++pairs[bin];
+  }
+};
+
+/// Fills in values from the pairs and from how many are expected without correlation.
+void finish(Correlation& correlation, const Bins& bins, const std::vector<double>& expected) {
+  for (std::size_t k = 0; k < bins.count; ++k) {
+    const auto pairs = static_cast<double>(correlation.pairs[k]);
+    const bool possible = expected[k] > 0.0;
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    correlation.distance.push_back((static_cast<double>(k) + 0.5) * bins.width);
+    correlation.value.push_back(possible ? pairs / expected[k] : none);
+    correlation.error.push_back(possible ? std::sqrt(std::max(pairs, 1.0)) / expected[k] : none);
+  }
+}
+
+/// Sum over the points of the area of each ring about them that lies in the slab.
+std::vector<double> ring_areas(const std::vector<Vec<2>>& points, const Slab& slab, const Bins& bins) {
+  std::vector<double> areas(bins.count, 0.0);
+  for (const auto& point : points) {
+    const double below = point[1] - slab.low;
+    const double above = slab.high - point[1];
+    const double left = slab.box.periodic ? std::numeric_limits<double>::infinity() : point[0] - slab.box.x_min;
+    const double right = slab.box.periodic ? std::numeric_limits<double>::infinity() : slab.box.x_max - point[0];
+    double inner = 0.0;
+    for (std::size_t k = 0; k < bins.count; ++k) {
+      const double radius = static_cast<double>(k + 1) * bins.width;
+      const double within = disc_area_in({}, radius, {{{-left, -below}}, {{right, above}}});
+      areas[k] += within - inner;
+      inner = within;
+    }
+  }
+  return areas;
+}
+
+/// Integral of (length - d) over d in [from, to], d < length.
+double left_over(double length, double from, double to) {
+  from = std::min(from, length);
+  to = std::min(to, length);
+  return (to - from) * (length - 0.5 * (from + to));
+}
+
+}  // namespace
+
+PairCorrelation pair_correlation(const Discs& discs, const Slab& slab, const PairCorrelationOptions& options) {
+  PairCorrelation result;
+  const double diameter = mean_diameter(discs);
+  std::vector<Vec<2>> points;
+  for (const auto k : centres_in(discs, slab)) points.push_back(discs.position[k]);
+  if (points.size() < 2) return result;
+
+  const double width = slab.box.width();
+  const bool periodic = slab.box.periodic;
+  const double most = periodic ? 0.5 * width : std::hypot(width, slab.height());
+  const double wanted = options.reach > 0.0 ? options.reach : std::min(usual_reach, slab.height() / diameter);
+  const double reach = std::min(wanted * diameter, most);
+  const Bins bins{options.bin_width * diameter,
+                  static_cast<std::size_t>(std::floor(reach / (options.bin_width * diameter) + 1e-9))};
+  const double strip = std::min(options.strip * diameter, most);
+  for (auto* correlation : {&result.radial, &result.along_x, &result.along_y}) {
+    correlation->pairs.assign(bins.count, 0);
+  }
+  const double strip_reach = std::hypot(reach, strip);
+  for_near_pairs(points, slab.box, std::min(strip_reach, std::hypot(width, slab.height())),
+                 [&](std::uint32_t i, std::uint32_t j) {
+                   const Vec<2> d = separation(points[i], points[j], slab.box);
+                   const double along_x = std::fabs(d[0]);
+                   const double along_y = std::fabs(d[1]);
+                   const double squares = squared(d);
+                   if (squares < reach * reach) bins.add(result.radial.pairs, std::sqrt(squares));
+                   if (along_y < strip) bins.add(result.along_x.pairs, along_x);
+                   if (along_x < strip) bins.add(result.along_y.pairs, along_y);
+                 });
+
+  const auto count = static_cast<double>(points.size());
+  auto radial = ring_areas(points, slab, bins);
+  for (auto& pairs : radial) pairs *= 0.5 * (count - 1.0) / slab.area();
+  // Pairs of N uniform points with separation in a rectangle |dx|, |dy|: N (N-1)/2 times the integral over both signs
+  // of the share of the slab that stays in it.
+  const double scale = 0.5 * count * (count - 1.0) / (slab.area() * slab.area());
+  const auto integral_x = [&](double from, double to) {
+    return 2.0 * (periodic ? width * (to - from) : left_over(width, from, to));
+  };
+  const auto integral_y = [&](double from, double to) { return 2.0 * left_over(slab.height(), from, to); };
+  std::vector<double> along_x;
+  std::vector<double> along_y;
+  for (std::size_t k = 0; k < bins.count; ++k) {
+    const double from = static_cast<double>(k) * bins.width;
+    const double to = static_cast<double>(k + 1) * bins.width;
+    along_x.push_back(scale * integral_x(from, to) * integral_y(0.0, strip));
+    along_y.push_back(scale * integral_y(from, to) * integral_x(0.0, strip));
+  }
+  finish(result.radial, bins, radial);
+  finish(result.along_x, bins, along_x);
+  finish(result.along_y, bins, along_y);
+  return result;
+}
+
+}  // namespace repose
