@@ -16,6 +16,7 @@ namespace {
 
 /// Grain-steps per second of one core, for a rough estimate only; `./dev bench` measures the machine at hand.
 constexpr double typical_speed = 1e7;
+constexpr double typical_discs = 2e6;  ///< deposited per second
 
 }  // namespace
 
@@ -25,9 +26,10 @@ Command add_check(CLI::App& app) {
   options->add_to(*command);
   return {command, [options] {
             const auto scene = options->read();
-            fmt::print("{}{}", describe(scene), describe_contacts(scene));
+            const bool deposits = scene.method.deposits();
+            fmt::print("{}{}", describe(scene), deposits ? "" : describe_contacts(scene));
             const double work = expected_work(scene, expected_end(scene));
-            fmt::print("cost             about {:.2g} s of one core\n", work / typical_speed);
+            fmt::print("cost             about {:.2g} s of one core\n", work / (deposits ? typical_discs : typical_speed));
             return 0;
           }};
 }

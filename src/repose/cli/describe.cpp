@@ -86,7 +86,42 @@ std::string or_none(const std::optional<double>& value, const char* format) {
 
 }  // namespace
 
+namespace {
+
+std::string describe_deposition(const Scene& scene) {
+  const auto fixed = initial_grains(scene).size();
+  std::string text = fmt::format("scene            {}\n", scene.title.empty() ? "(untitled)" : scene.title);
+  text += fmt::format("grains           {} deposited on {} fixed; diameters {:g} to {:g}\n", scene.source.count, fixed,
+                      scene.smallest_drawn(), scene.largest_drawn());
+  for (const auto& species : scene.species) text += species_text(species, scene);
+  text += fmt::format("base             {}, {} diameters wide, {}\n", scene.base.kind, scene.base.count,
+                      scene.box.x == "periodic" ? "periodic" : "between walls");
+  text += fmt::format("critical angle   {:g} deg{}\n", scene.method.critical_angle,
+                      scene.snapped() ? ", places snapped to 2^-40 radii" : "");
+  return text;
+}
+
+std::string describe_packing(const Packing& packing) {
+  const auto with_error = [](const Estimate& value, const char* format) {
+    return fmt::format(fmt::runtime(format), value.mean, value.error);
+  };
+  std::string text = fmt::format("slab             y {:.4g} to {:.4g}, {} grains in it\n", packing.slab.low,
+                                 packing.slab.high, packing.coordination.discs);
+  text += fmt::format("solid fraction   {}{}\n", with_error(packing.solid_fraction, "{:.4f} +- {:.4f}"),
+                      packing.regime ? fmt::format(" ({})", name_of(*packing.regime)) : "");
+  text += fmt::format("touching         {} neighbours\n", with_error(packing.coordination.mean, "{:.4f} +- {:.4f}"));
+  if (packing.fabric) {
+    text += fmt::format("fabric           anisotropy {}, direction {} deg from upright\n",
+                        with_error(packing.fabric->all.anisotropy, "{:.4f} +- {:.4f}"),
+                        with_error(packing.fabric->folded.direction_deg, "{:.2f} +- {:.2f}"));
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string describe(const Scene& scene) {
+  if (scene.method.deposits()) return describe_deposition(scene);
   const auto initial = initial_grains(scene);
   const auto fixed = initial.size() - moving_count(initial);
   const double step = scene.time_step();
@@ -173,6 +208,12 @@ std::string describe_result(const Record& record, const Reading& reading) {
       "stopped          {} (time {:.6g}, {} steps, {:.1f} s, {:.3g} grain-steps per second)\n", facts.message,
       facts.time, facts.steps, facts.wall_seconds, facts.grain_steps / std::max(facts.wall_seconds, 1e-9));
   text += fmt::format("grains           {} present, {} lost\n", moving_count(record.grains), facts.lost);
+  if (reading.packing) text += describe_packing(*reading.packing);
+  if (!reading.packing_problem.empty()) text += fmt::format("packing          not measured: {}\n", reading.packing_problem);
+  if (record.scene.method.deposits()) {
+    return text + fmt::format("deepest overlap  {:.2g} diameters; {} discs do not rest by the rule\n", reading.max_overlap,
+                              reading.breaking_rule);
+  }
   const auto& heap = reading.heap;
   const auto flank = [](const std::optional<FlankLine>& line) {
     return line ? fmt::format("{:.1f}", line->angle_deg) : std::string("-");

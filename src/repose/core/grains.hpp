@@ -60,6 +60,15 @@ struct Grains {
     if (!half_step.empty()) half_step.push_back({grain.velocity, grain.rim_velocity});
   }
 
+  /// Makes room for this many grains in all.
+  void reserve(std::size_t count) {
+    line.reserve(count);
+    id.reserve(count);
+    material.reserve(count);
+    base.reserve(count);
+    reaction.reserve(count);
+  }
+
   void exchange(Archive& archive) {
     archive.array("grains/line", line);
     archive.array("grains/id", id);

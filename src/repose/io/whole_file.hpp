@@ -14,6 +14,10 @@ namespace repose {
 /// Flushes a finished temporary file to the disk and puts it in the place of `path`. Throws RunError.
 void publish(const std::string& temporary, const std::string& path);
 
+/// For so many seconds from now this process publishes files without flushing them: they outlive its end, of any kind,
+/// but perhaps not that of the machine.
+void publish_without_flush_for(double seconds);
+
 /// Writes a file piece by piece under a temporary name until `commit` flushes it to the disk and renames it, so that
 /// nobody ever meets half of it. Throws RunError with the system's reason if that fails.
 class WholeFile {

@@ -66,6 +66,15 @@ class Method {
   /// To be told when grains and method have been restored: the next step is that which would have been the next.
   virtual void restored(const Grains<D>& grains, const Team& team) = 0;
 
+  /// Grains that the method itself has put there, for one that forms a packing grain by grain.
+  virtual std::int64_t made() const { return 0; }
+
+  /// Whether there is nothing more for the method to do.
+  virtual bool complete() const { return false; }
+
+  /// Grains that one step moves, of so many that can move.
+  virtual double grains_per_step(std::size_t moving) const { return static_cast<double>(moving); }
+
   /// The account of the energy half a step ago; empty unless the method keeps one.
   virtual Energy energy(const Grains<D>& grains) const = 0;
 };

@@ -4,6 +4,7 @@
 
 #include "repose/core/version.hpp"
 #include "repose/io/hdf5_file.hpp"
+#include "repose/run/packing_datasets.hpp"
 
 #include <limits>
 #include <type_traits>
@@ -201,6 +202,8 @@ void write_analysis(const std::string& path, const Record& record, const Reading
   file.attribute("/", "format_version", std::int64_t{1});
   file.attribute("/", "repose_version", std::string(version));
   file.attribute("/", "time", record.facts.time);
+  if (reading.packing) write_packing(file, record, reading);
+  if (scene.method.deposits()) return file.commit();
   write_surface(file, reading, scene.analysis.bin_width);
   write_base(file, reading.base);
   write_voronoi(file, reading.cells);

@@ -10,6 +10,7 @@
 namespace repose {
 
 double expected_end(const Scene& scene) {
+  if (scene.method.deposits()) return static_cast<double>(scene.source.count);
   if (scene.stop.time && !scene.stop.at_rest) return *scene.stop.time;
   double end = 100.0 * std::sqrt(scene.grains.diameter / std::max(scene.gravity, 1e-30));
   if (scene.source.drops()) {
@@ -21,6 +22,7 @@ double expected_end(const Scene& scene) {
 }
 
 double expected_work(const Scene& scene, double time) {
+  if (scene.method.deposits()) return time;  // one disc a step
   double work = static_cast<double>(moving_count(initial_grains(scene))) * time;
   if (scene.source.drops()) {
     const double pouring = static_cast<double>(scene.source.count) / scene.source.rate;

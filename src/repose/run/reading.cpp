@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/run/reading.hpp"
 
+#include "repose/analysis/sticking_rule.hpp"
 #include "repose/run/setup.hpp"
+
+#include <algorithm>
+#include <utility>
 
 namespace repose {
 
@@ -27,9 +31,57 @@ MotionSettings motion_settings(const Scene& scene, double base_height) {
   return settings;
 }
 
+PackingOptions packing_options(const Scene& scene) {
+  const auto& analysis = scene.analysis;
+  PackingOptions options;
+  options.slab = {.low = analysis.slab[0], .high = analysis.slab[1], .base_height = std::nullopt};
+  options.gap = analysis.contact_gap;
+  options.directions = static_cast<std::size_t>(analysis.direction_bins);
+  options.correlations = analysis.correlations;
+  options.structure = analysis.structure_factor;
+  options.local_density = analysis.local_density;
+  if (!scene.method.deposits()) return options;
+  options.slab.base_height = 0.0;
+  // Base discs lie on the floor too, and are neighbours already.
+  options.planes.floor = -0.5 * scene.grains.diameter;
+  if (scene.box.x == "walls") {
+    options.planes.left = -scene.box.half_width;
+    options.planes.right = scene.box.half_width;
+  }
+  return options;
+}
+
+void read_packing(const Record& record, Reading& reading) {
+  const auto& scene = record.scene;
+  const auto box = make_box(scene);
+  const auto discs = discs_of(record.grains, box);
+  const auto options = packing_options(scene);
+  auto result = analyse_packing(discs, box, options);
+  reading.packing = std::move(result.packing);
+  reading.packing_problem = std::move(result.problem);
+  if (!reading.packing) return;
+  const auto graph = contact_graph(discs, box, options.gap);
+  for (std::size_t k = 0; k < discs.size(); ++k) {
+    reading.neighbours.push_back(static_cast<std::int64_t>(graph.degree(k)));
+  }
+  if (!scene.method.deposits()) return;
+  const auto breaks =
+      breaks_sticking_rule(discs, box, graph, options.planes, options.gap, scene.method.critical_angle);
+  reading.breaking_rule = std::count(breaks.begin(), breaks.end(), 1);
+}
+
+/// Of grains that were put there by geometry: there are no forces to speak of.
+Reading read_deposition(const Record& record) {
+  Reading reading;
+  reading.max_overlap = deepest_overlap(discs_of(record.grains, make_box(record.scene)), make_box(record.scene));
+  read_packing(record, reading);
+  return reading;
+}
+
 }  // namespace
 
 Reading read(const Record& record) {
+  if (record.scene.method.deposits()) return read_deposition(record);
   const auto& scene = record.scene;
   const auto& grains = record.grains;
   const auto& contacts = record.contacts;
@@ -62,6 +114,7 @@ Reading read(const Record& record) {
     reading.field_weight_error = sum * reading.fields.cell * reading.fields.cell / mass - 1.0;
   }
   reading.motion = read_motion(record.track, box, motion_settings(scene, reading.base_height));
+  if (scene.analysis.packing) read_packing(record, reading);
   return reading;
 }
 

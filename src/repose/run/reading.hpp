@@ -10,10 +10,14 @@
 #include "repose/analysis/force_statistics.hpp"
 #include "repose/analysis/heap.hpp"
 #include "repose/analysis/motion.hpp"
+#include "repose/analysis/packing.hpp"
 #include "repose/analysis/voronoi.hpp"
 #include "repose/run/record.hpp"
 
+#include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace repose {
 
@@ -34,6 +38,10 @@ struct Reading {
   Fields fields;
   std::optional<double> field_weight_error;  ///< integral of the density field over the mass of the heap, less 1
   Motion motion;
+  std::optional<Packing> packing;
+  std::string packing_problem;           ///< why there is none although it was asked for
+  std::vector<std::int64_t> neighbours;  ///< touching grains of each grain, by its place in the record, with the packing
+  std::int64_t breaking_rule = 0;        ///< deposited discs that do not rest by the critical-angle rule
 };
 
 Reading read(const Record& record);

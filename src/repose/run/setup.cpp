@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/run/setup.hpp"
 
+#include "repose/core/random.hpp"
+#include "repose/methods/deposition/deposition.hpp"
 #include "repose/methods/soft/soft.hpp"
+#include "repose/run/sources/draw.hpp"
 #include "repose/run/sources/initial.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace repose {
@@ -21,6 +25,7 @@ Grains<2> initial_grains(const Scene& scene) {
   Grains<2> grains;
   std::int64_t id = 0;
   add_base(scene, grains, id);
+  if (scene.method.deposits()) return grains;
   add_start(scene, grains, id);
   add_lattice(scene, grains, id);
   for (const auto& placed : scene.placed) {
@@ -108,7 +113,30 @@ Box<2> make_box(const Scene& scene) {
   return box;
 }
 
+namespace {
+
+std::unique_ptr<Method<2>> make_deposition_of(const Scene& scene) {
+  DepositionSettings settings;
+  settings.critical_angle_deg = scene.method.critical_angle;
+  settings.box = make_box(scene);
+  settings.floor = -0.5 * scene.grains.diameter;
+  settings.smallest_radius = 0.5 * std::min(scene.smallest_drawn(), scene.grains.diameter);
+  settings.largest_radius = 0.5 * std::max(scene.largest_drawn(), scene.grains.diameter);
+  settings.snapped = scene.snapped();
+  settings.count = scene.source.count;
+  settings.drop = [seed = static_cast<std::uint64_t>(scene.seed),
+                   draw = GrainDraw(scene, Purpose::grain_species, Purpose::grain_size)](std::int64_t k) {
+    const auto index = static_cast<std::uint64_t>(k);
+    const auto [grain, material] = draw(index);
+    return DroppedDisc{uniform(seed, Purpose::release_position, index), grain, material};
+  };
+  return make_deposition(settings);
+}
+
+}  // namespace
+
 std::unique_ptr<Method<2>> make_method(const Scene& scene) {
+  if (scene.method.deposits()) return make_deposition_of(scene);
   SoftSettings<2> settings;
   settings.time_step = scene.time_step();
   settings.gravity = {{0.0, -scene.gravity}};

@@ -64,12 +64,14 @@ double Simulation::wall_seconds() const {
   return earlier_seconds_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
 }
 
+std::int64_t Simulation::released() const { return source_->released() + method_->made(); }
+
 std::int64_t Simulation::grains_lost() const {
-  return placed_ + source_->released() - static_cast<std::int64_t>(moving_count(grains_));
+  return placed_ + released() - static_cast<std::int64_t>(moving_count(grains_));
 }
 
 long Simulation::next_stop() const {
-  const double spell = longest_spell / (1.0 + static_cast<double>(grains_.size()));
+  const double spell = longest_spell / (1.0 + method_->grains_per_step(grains_.size()));
   long next = step_ + std::max(1L, static_cast<long>(spell));
   next = std::min(next, (step_ / observe_every_ + 1) * observe_every_);
   if (!source_->done()) next = std::min(next, source_->next_step());
@@ -155,13 +157,15 @@ void Simulation::run(const Hooks& hooks, const std::atomic<bool>& interrupt) {
   while (status_ == Status::running) {
     const auto report = method_->advance(grains_, next_stop() - step_, team_);
     step_ += report.steps;
-    grain_steps_ += static_cast<double>(report.steps) * static_cast<double>(moving_);
+    grain_steps_ += static_cast<double>(report.steps) * method_->grains_per_step(moving_);
     if (report.trouble) {
       stop(Status::failed, describe_trouble(contacts()));
       break;
     }
     const bool out_of_time = scene_.stop.time && step_ >= steps_in(*scene_.stop.time, time_step_);
-    if (step_ % observe_every_ == 0 || out_of_time) observe(hooks);
+    const bool complete = method_->complete();
+    if (step_ % observe_every_ == 0 || out_of_time || complete) observe(hooks);
+    if (status_ == Status::running && complete) stop(Status::finished, "all grains are there");
     if (status_ == Status::running && out_of_time) {
       stop(Status::finished, fmt::format("reached stop.time = {}", *scene_.stop.time));
     }
@@ -297,7 +301,7 @@ Record Simulation::record() const {
   facts.threads = threads();
   facts.wall_seconds = wall_seconds();
   facts.grain_steps = grain_steps_;
-  facts.released = source_->released();
+  facts.released = released();
   facts.lost = grains_lost();
   facts.support_force = force_on_supports(record.contacts);
   record.grains = grains_;
@@ -351,6 +355,7 @@ void Simulation::stop(Status status, std::string message) {
 }
 
 std::string Simulation::describe_trouble(const Contacts<2>& contacts) const {
+  if (scene_.method.deposits()) return fmt::format("disc {} finds no place to rest", method_->made());
   std::vector<std::string> found;
   for (const auto k : by_id(grains_)) {
     const auto& grain = grains_.line[k];

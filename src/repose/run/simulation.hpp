@@ -80,6 +80,7 @@ class Simulation {
   void record_track(const Contacts<2>& contacts);
   BaseProfile base_profile() const;
   double force_on_supports(const Contacts<2>& contacts) const;
+  std::int64_t released() const;
   std::int64_t grains_lost() const;
   bool at_rest() const;
   void stop(Status status, std::string message);

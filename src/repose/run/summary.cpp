@@ -96,6 +96,64 @@ Json bursts_json(const Motion& motion) {
           {"mean_waiting", mean_over(list, [](const auto& event) { return event.waiting; })}};
 }
 
+Json estimate(const Estimate& value) { return {{"mean", number(value.mean)}, {"error", number(value.error)}}; }
+
+Json tensor_json(const FabricTensor& tensor) {
+  return {{"xx", number(tensor.xx)},
+          {"yy", number(tensor.yy)},
+          {"xy", number(tensor.xy)},
+          {"anisotropy", estimate(tensor.anisotropy)},
+          {"direction_deg", estimate(tensor.direction_deg)}};
+}
+
+Json exponent(const std::optional<Estimate>& value) { return value ? estimate(*value) : Json(nullptr); }
+
+Json packing_json(const Reading& reading, const Scene& scene) {
+  if (!reading.packing_problem.empty()) return {{"problem", reading.packing_problem}};
+  if (!reading.packing) return nullptr;
+  const auto& packing = *reading.packing;
+  const auto& slab = packing.slab;
+  Json json = {{"slab",
+                {{"low", slab.low}, {"high", slab.high}, {"base_height", slab.base_height}, {"mean_height", slab.mean_height}}},
+               {"contact_gap", scene.analysis.contact_gap},
+               {"discs", packing.discs},
+               {"discs_in_slab", packing.coordination.discs},
+               {"solid_fraction", estimate(packing.solid_fraction)},
+               {"coordination", estimate(packing.coordination.mean)},
+               {"coordination_without_rattlers", estimate(packing.coordination.without_rattlers)},
+               {"rattlers", number(packing.coordination.rattlers)},
+               {"connectivity_error", packing.coordination.connectivity_error}};
+  // By name too: a sweep makes measures of numbers, not of lists.
+  for (std::size_t q = 0; q < packing.coordination.connectivity.size(); ++q) {
+    json[fmt::format("P_{}", q)] = number(packing.coordination.connectivity[q]);
+  }
+  json["fabric"] = packing.fabric ? tensor_json(packing.fabric->all) : Json(nullptr);
+  json["fabric_folded"] = packing.fabric ? tensor_json(packing.fabric->folded) : Json(nullptr);
+  json["regime"] = packing.regime ? Json(name_of(*packing.regime)) : Json(nullptr);
+  json["regime_by_structure"] =
+      packing.regime_by_structure ? Json(name_of(*packing.regime_by_structure)) : Json(nullptr);
+  if (packing.surface) {
+    json["roughness"] = number(packing.surface->roughness);
+    json["roughness_exponent"] = exponent(packing.surface->scaling.exponent);
+    json["growth_exponent"] = exponent(packing.surface->growth.exponent);
+  }
+  if (packing.local_density) {
+    json["local_density"] = {{"mean", number(packing.local_density->density.mean)},
+                             {"deviation", number(packing.local_density->density.deviation)}};
+  }
+  if (scene.method.deposits()) json["discs_breaking_rule"] = reading.breaking_rule;
+  return json;
+}
+
+/// The packing's own measures of contacts, for a method whose contacts carry no forces.
+void put_packing(const Packing& packing, Json& json) {
+  json["coordination"] = number(packing.coordination.mean.mean);
+  json["connectivity"] = packing.coordination.connectivity;
+  if (!packing.fabric) return;
+  json["anisotropy"] = number(packing.fabric->all.anisotropy.mean);
+  json["fabric_direction_deg"] = number(packing.fabric->folded.direction_deg.mean);
+}
+
 constexpr std::string_view last_key = ",\n  \"checksum\": ";
 
 /// The end of a summary whose text begins so: the hash of that, under the last key.
@@ -136,7 +194,7 @@ std::string summary_text(const Record& record, const Reading& reading) {
   json["kinetic_energy_per_grain"] = observed ? number(last.kinetic_energy_per_grain) : Json(nullptr);
   json["force_residual"] = observed ? number(last.force_residual) : Json(nullptr);
   json["max_overlap"] = number(reading.max_overlap);
-  json["solid_fraction"] = nullptr;
+  json["solid_fraction"] = reading.packing ? number(reading.packing->solid_fraction.mean) : Json(nullptr);
   json["coordination"] = number(reading.network.coordination);
   json["anisotropy"] = number(reading.network.anisotropy);
   json["fabric_direction_deg"] = number(reading.network.direction_deg);
@@ -153,6 +211,13 @@ std::string summary_text(const Record& record, const Reading& reading) {
   json["base_scatter"] = number(reading.base_scatter);
   json["weight_error"] = number(reading.weight_error);
   json["field_weight_error"] = number(reading.field_weight_error);
+  json["packing"] = packing_json(reading, scene);
+  if (scene.method.deposits()) {
+    json["critical_angle"] = scene.method.critical_angle;
+    json["contacts"] = reading.packing ? Json(reading.packing->contacts) : Json(nullptr);
+    for (const auto* key : {"kinetic_energy_per_grain", "force_residual", "force_threshold", "velocities"}) json[key] = nullptr;
+    if (reading.packing) put_packing(*reading.packing, json);
+  }
   json["state_hash"] = facts.state_hash;
   auto text = json.dump(2);
   text.resize(text.rfind("\n}"));

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/run/sweep.hpp"
 
+#include "repose/io/whole_file.hpp"
+
 #include "repose/core/errors.hpp"
 #include "repose/run/expectation.hpp"
 #include "repose/run/run_folder.hpp"
@@ -124,6 +126,8 @@ double Sweep::wall_seconds() const { return seconds_since(began_); }
 
 void Sweep::be_member(std::size_t member, Shared& shared) const {
   int status = 1;
+  // A member cut off by a power failure that soon is made again; flushing thousands of small files would take longer.
+  publish_without_flush_for(5.0);
   try {
     const auto& what = folder_.members()[member];
     const auto path = folder_.member_path(what);
@@ -194,7 +198,9 @@ void Sweep::look_after(std::size_t slot) {
 
 void Sweep::run(const std::function<void(std::size_t)>& changed, const std::function<void()>& tick,
                 const std::atomic<bool>& interrupt) {
+  constexpr double between_ticks = 0.05;  // [s]
   began_ = Clock::now();
+  auto ticked = began_;
   while (!interrupt) {
     bool busy = false;
     for (std::size_t slot = 0; slot < workers_.size(); ++slot) {
@@ -212,8 +218,11 @@ void Sweep::run(const std::function<void(std::size_t)>& changed, const std::func
       }
     }
     if (!busy) return;
-    tick();
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    if (seconds_since(ticked) >= between_ticks) {
+      tick();
+      ticked = Clock::now();
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));  // members may take no more than some milliseconds
   }
   stop_members();  // whoever looks at the folder from here on finds it at rest
 }

@@ -31,6 +31,15 @@ void base_keys(Scene& scene, Keys& keys) {
   if (scene.base.kind != "none") material_key("base.material", scene.base.material, scene, keys);
 }
 
+void deposition_base_keys(Scene& scene, Keys& keys) {
+  keys.choice("base.kind", scene.base.kind, "contiguous", {"contiguous", "flat", "disordered"},
+              "what the first discs fall on: a row of touching discs with centres at height 0, the floor below, or discs "
+              "at random places on it until no more fit");
+  keys.integer("base.count", scene.base.count, 32, 2, "width in diameters: so many discs make a contiguous base");
+  keys.choice("box.x", scene.box.x, "periodic", {"periodic", "walls"}, "what is at the sides");
+  scene.base.half_width = scene.box.half_width = 0.5 * static_cast<double>(scene.base.count) * scene.grains.diameter;
+}
+
 void box_keys(Scene& scene, Keys& keys) {
   const double d = scene.grains.diameter;
   keys.choice("box.x", scene.box.x, "open", {"open", "periodic"}, "grains that leave an open box are lost and counted");
@@ -75,6 +84,7 @@ void wall_keys(const std::string& prefix, Scene::Wall& wall, const std::string& 
 }  // namespace
 
 void boundary_keys(Scene& scene, Keys& keys) {
+  if (scene.method.deposits()) return deposition_base_keys(scene, keys);
   base_keys(scene, keys);
   box_keys(scene, keys);
   table_keys<Scene::Wall>(keys, "plane", scene.planes, [&](const auto& prefix, auto& plane, std::size_t k) {

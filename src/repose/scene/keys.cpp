@@ -8,8 +8,18 @@ namespace repose {
 
 namespace {
 
+void deposition_keys(Scene& scene, Keys& keys) {
+  keys.number("method.critical_angle", scene.method.critical_angle, required, {.low = 0.0, .high = 90.0}, "deg",
+              "a disc sticks where its contact is less than this off upright: 0 steepest descent, 90 first touch");
+  keys.choice("method.arithmetic", scene.method.arithmetic, "auto", {"auto", "snapped", "double"},
+              "snapped: places are multiples of 2^-40 radii, so that rounding cannot grow from layer to layer (auto: at "
+              "exactly 0 degrees)");
+}
+
 void method_keys(Scene& scene, Keys& keys) {
-  keys.choice("method.kind", scene.method.kind, "soft", {"soft"}, "how the grains are moved");
+  keys.choice("method.kind", scene.method.kind, "soft", {"soft", "deposition"},
+              "how the grains are moved: by forces, or dropped one by one by the critical-angle rule");
+  if (scene.method.deposits()) return deposition_keys(scene, keys);
   keys.optional_number("method.time_step", scene.method.time_step, "auto", positive, "T",
                        "\"auto\": half a radian of the stiffest contact, and with which a dense bed comes to rest");
   keys.choice("method.velocities", scene.method.velocities, "auto", {"auto", "half-step", "synchronised"},
@@ -35,7 +45,7 @@ void go_through(Scene& scene, Keys& keys) {
   keys.choice("grains.shares", scene.grains.shares, "number", {"number", "mass"},
               "of what the shares of the [[species]] are shares");
   method_keys(scene, keys);
-  law_keys(scene, keys);
+  if (!scene.method.deposits()) law_keys(scene, keys);
   species_keys(scene, keys);
   boundary_keys(scene, keys);
   source_keys(scene, keys);

@@ -115,12 +115,17 @@ Scene read_scene_text(const std::string& text, const std::string& name, const Ov
   go_through(scene, reader);
   reader.report_unknown_keys();
   look_at_start(scene, reader, std::filesystem::path(name).parent_path().string());
-  check_laws(scene, reader);
   check_species(scene, reader);
-  check_boundaries(scene, reader);
-  check_sources(scene, reader);
-  check_stop(scene, reader);
-  check_time_step(scene, reader);
+  check_packing(scene, reader);
+  if (scene.method.deposits()) {
+    check_deposition(scene, reader);
+  } else {
+    check_laws(scene, reader);
+    check_boundaries(scene, reader);
+    check_sources(scene, reader);
+    check_stop(scene, reader);
+    check_time_step(scene, reader);
+  }
   problems.insert(problems.end(), reader.problems().begin(), reader.problems().end());
   if (!problems.empty()) throw InputError(problems);
   return scene;

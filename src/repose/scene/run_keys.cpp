@@ -6,7 +6,41 @@
 
 namespace repose {
 
+namespace {
+
+void packing_keys(Scene& scene, Keys& keys) {
+  auto& analysis = scene.analysis;
+  analysis.packing = scene.method.deposits();
+  if (!analysis.packing) {
+    keys.flag("analysis.packing", analysis.packing, scene.box.x == "periodic",
+              "measure the packing in a slab: solid fraction, contacts, fabric");
+  }
+  if (!analysis.packing) return;
+  keys.vector("analysis.slab", analysis.slab, std::array<double, 2>{0.4, 1.4}, "",
+              "edges of the slab above the base centres, over the mean height of the grains");
+  keys.number("analysis.contact_gap", analysis.contact_gap, 1e-9, not_negative, "diameters",
+              "grains closer than this touch");
+  keys.integer("analysis.direction_bins", analysis.direction_bins, 36, 1, "of contact directions, over 180 degrees");
+  keys.flag("analysis.correlations", analysis.correlations, false, "pair correlation g(r), and along x and y");
+  keys.flag("analysis.structure_factor", analysis.structure_factor, false, "S(q)");
+  keys.flag("analysis.local_density", analysis.local_density, false, "by Voronoi cells");
+}
+
+/// Time counts discs there, and one row of the series at the end says it all.
+void deposition_run_keys(Scene& scene, Keys& keys) {
+  const auto all = static_cast<double>(scene.source.count);
+  keys.number("output.series", scene.output.series, all, {.low = 1.0}, "discs", "between rows of the time series");
+  keys.number("output.frames", scene.output.frames, 0.0, not_negative, "discs", "between saved frames; 0: none");
+  keys.number("output.checkpoint", scene.output.checkpoint, 60.0, not_negative, "s of wall time",
+              "between checkpoints, from which a run that was cut off goes on; 0: only when it is interrupted");
+  scene.output.window = all;
+  packing_keys(scene, keys);
+}
+
+}  // namespace
+
 void run_keys(Scene& scene, Keys& keys) {
+  if (scene.method.deposits()) return deposition_run_keys(scene, keys);
   const double d = scene.grains.diameter;
   const double time_unit = scene.gravity > 0.0 ? std::sqrt(d / scene.gravity) : 1.0;
   keys.optional_number("stop.at_rest", scene.stop.at_rest, "", positive, "",
@@ -36,6 +70,7 @@ void run_keys(Scene& scene, Keys& keys) {
   keys.integer("analysis.avalanche", scene.analysis.avalanche, 10, 1, "grains that move at once in an avalanche");
   keys.number("analysis.burst", scene.analysis.burst, 5.0, positive, "grain weights times diameters",
               "kinetic energy of the heap above which a burst is counted");
+  packing_keys(scene, keys);
 }
 
 }  // namespace repose

@@ -147,6 +147,9 @@ double Scene::automatic_step() const {
   return std::min(auto_phase / contact_frequency(), auto_part_of_bed * largest_step_of_bed());
 }
 
-double Scene::time_step() const { return method.time_step ? *method.time_step : automatic_step(); }
+double Scene::time_step() const {
+  if (method.deposits()) return 1.0;  // time counts discs
+  return method.time_step ? *method.time_step : automatic_step();
+}
 
 }  // namespace repose

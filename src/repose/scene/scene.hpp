@@ -26,6 +26,10 @@ struct Scene {
     std::optional<double> time_step;  ///< [T]; none: "auto"
     std::string velocities;           ///< "auto", "half-step" or "synchronised"
     double skin = 0.0;                ///< [L]
+    double critical_angle = 0.0;      ///< [deg] of deposition
+    std::string arithmetic;           ///< of deposition: "auto", "snapped" or "double"
+
+    bool deposits() const { return kind == "deposition"; }
   } method;
 
   struct GrainSizes {
@@ -83,7 +87,8 @@ struct Scene {
   std::vector<Pair> pairs;
 
   struct Base {
-    std::string kind;         ///< "row", "deposited", "plane" or "none"
+    std::string kind;         ///< "row", "deposited", "plane" or "none"; "contiguous", "flat" or "disordered"
+    std::int64_t count = 0;   ///< of deposition: the width in diameters, and the discs of a contiguous base
     double spacing = 0.0;     ///< [L] between the centres of a row
     double roughness = 0.0;   ///< [L] how far centres of a deposited base lie below height 0 at most
     double half_width = 0.0;  ///< [L]
@@ -94,7 +99,7 @@ struct Scene {
   } base;
 
   struct Region {
-    std::string x;                ///< "open" or "periodic"
+    std::string x;                ///< "open" or "periodic"; "walls" of deposition
     double half_width = 0.0;      ///< [L]
     std::optional<double> floor;  ///< [L] grains that fall below are lost; none: "auto"
   } box;
@@ -194,7 +199,20 @@ struct Scene {
     double moved = 0.0;            ///< [L]
     std::int64_t avalanche = 0;    ///< grains
     double burst = 0.0;            ///< [grain weights times diameters]
+
+    bool packing = false;          ///< measure the packing in a slab
+    std::array<double, 2> slab{};  ///< its edges above the base centres, over the mean height of the grains
+    double contact_gap = 0.0;      ///< [mean diameters of the pair]
+    std::int64_t direction_bins = 0;
+    bool correlations = false;
+    bool structure_factor = false;
+    bool local_density = false;
   } analysis;
+
+  /// Whether places are snapped in a deposition: where asked for, and at exactly 0 degrees unless asked not to.
+  bool snapped() const {
+    return method.arithmetic == "snapped" || (method.arithmetic == "auto" && method.critical_angle == 0.0);
+  }
 
   double grain_weight() const { return grains.mass * gravity; }
   double base_pitch() const;  ///< [L] between neighbours of a lattice pile's lowest row

@@ -50,6 +50,10 @@ void lattice_keys(Scene& scene, Keys& keys) {
 }  // namespace
 
 void source_keys(Scene& scene, Keys& keys) {
+  if (scene.method.deposits()) {
+    scene.source.kind = "none";
+    return keys.integer("source.count", scene.source.count, 1000, 1, "discs to deposit");
+  }
   keys.text("start.from", scene.start.from, "",
             "grains there at the start: a run folder whose end it is, or a file of grains; relative to this file");
   if (!scene.start.from.empty()) {

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Discs per second of the method `deposition`, by critical angle and size, on a contiguous row. The last number of a
+// name is the count of discs; the bytes are those of all that the method and its grains keep, per disc.
+#include "repose/core/random.hpp"
+#include "repose/methods/deposition/deposition.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <sys/resource.h>
+
+#include <cmath>
+
+namespace repose {
+namespace {
+
+void deposit(benchmark::State& state) {
+  const auto width = state.range(1);
+  DepositionSettings settings;
+  settings.critical_angle_deg = static_cast<double>(state.range(0));
+  settings.box.periodic = true;
+  settings.box.x_min = 0.0;
+  settings.box.x_max = static_cast<double>(width);
+  settings.floor = -0.5;
+  settings.snapped = state.range(0) == 0;
+  settings.count = state.range(2);
+  settings.drop = [](std::int64_t k) {
+    DroppedDisc drop;
+    drop.place = uniform(1, Purpose::release_position, static_cast<std::uint64_t>(k));
+    drop.grain.radius = 0.5;
+    drop.grain.mass = drop.grain.inverse_mass = 1.0;
+    return drop;
+  };
+  Team team(1);
+  for (auto _ : state) {
+    Grains<2> grains;
+    const auto method = make_deposition(settings);
+    grains.reserve(static_cast<std::size_t>(width + settings.count));
+    for (long k = 0; k < width; ++k) {
+      Grain<2> fixed;
+      fixed.radius = 0.5;
+      fixed.mass = 1.0;
+      fixed.position = Vec<2>{{static_cast<double>(k) + 0.5, 0.0}};
+      grains.add(fixed, k, true);
+    }
+    method->grains_added(grains);
+    benchmark::DoNotOptimize(method->advance(grains, static_cast<long>(settings.count), team));
+  }
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  state.counters["discs"] =
+      benchmark::Counter(static_cast<double>(state.iterations() * settings.count), benchmark::Counter::kIsRate);
+  state.counters["bytes_per_disc"] = 1024.0 * static_cast<double>(usage.ru_maxrss) / static_cast<double>(settings.count);
+}
+
+BENCHMARK(deposit)
+    ->ArgNames({"angle", "width", "discs"})
+    ->Args({90, 32, 1000})
+    ->Args({50, 32, 1000})
+    ->Args({0, 32, 1000})
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(deposit)
+    ->ArgNames({"angle", "width", "discs"})
+    ->Args({90, 10000, 10'000'000})
+    ->Args({50, 10000, 10'000'000})
+    ->Args({0, 10000, 10'000'000})
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace repose
+
+BENCHMARK_MAIN();

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/analysis/sticking_rule.hpp"
+
+#include "repose/neighbours/near_pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace repose {
+
+namespace {
+
+/// Directions from supports to a disc, as far as they bear on whether it rests.
+class Supports {
+ public:
+  explicit Supports(double least_upright) : least_upright_(least_upright) {}
+
+  void add(double x, double y) {
+    sticks_ = sticks_ || y > least_upright_;
+    // Of the contacts on either side the most upright one carries best: y per x.
+    if (x > 0.0) from_left_ = std::max(from_left_, y / x);
+    if (x < 0.0) from_right_ = std::max(from_right_, -y / x);
+    upright_ = upright_ || x == 0.0;
+  }
+
+  /// Two pushes whose horizontal parts cancel carry weight if what is left points up.
+  bool rest() const { return sticks_ || upright_ || from_left_ + from_right_ > -1e-6; }
+
+ private:
+  double least_upright_;
+  bool sticks_ = false;
+  bool upright_ = false;
+  double from_left_ = -std::numeric_limits<double>::infinity();
+  double from_right_ = -std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> breaks_sticking_rule(const Discs& discs, const Box<2>& box, const ContactGraph& graph,
+                                               const Planes& planes, double gap, double critical_angle_deg,
+                                               double slack_deg) {
+  const double degree = std::numbers::pi / 180.0;
+  const double least_upright = std::cos(std::min(90.0, critical_angle_deg + slack_deg) * degree);
+  std::vector<std::uint8_t> breaks(discs.size(), 0);
+  for (std::uint32_t k = 0; k < discs.size(); ++k) {
+    if (discs.base[k]) continue;
+    const auto& place = discs.position[k];
+    const double touching = discs.radius[k] * (1.0 + 2.0 * gap);
+    if (planes.floor && place[1] - *planes.floor < touching) continue;
+    Supports supports(least_upright);
+    for (const auto j : graph.of(k)) {
+      if (j > k) break;  // came later; neighbours ascend
+      const auto d = separation(place, discs.position[j], box);
+      const double distance = magnitude(d);
+      supports.add(d[0] / distance, d[1] / distance);
+    }
+    // A wall pushes level: it carries beside whatever lies below on the other side.
+    if (planes.left && place[0] - *planes.left < touching) supports.add(1.0, 0.0);
+    if (planes.right && *planes.right - place[0] < touching) supports.add(-1.0, 0.0);
+    breaks[k] = supports.rest() ? 0 : 1;
+  }
+  return breaks;
+}
+
+double deepest_overlap(const Discs& discs, const Box<2>& box) {
+  if (discs.size() == 0) return 0.0;
+  double deepest = 0.0;
+  const double largest = *std::max_element(discs.radius.begin(), discs.radius.end());
+  for_near_pairs(discs.position, box, 2.0 * largest, [&](std::uint32_t i, std::uint32_t j) {
+    const double reach = discs.radius[i] + discs.radius[j];
+    const double distance2 = squared(separation(discs.position[i], discs.position[j], box));
+    if (distance2 < reach * reach) deepest = std::max(deepest, 2.0 * (reach - std::sqrt(distance2)) / reach);
+  });
+  return deepest;
+}
+
+}  // namespace repose

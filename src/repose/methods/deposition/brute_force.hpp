@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/methods/deposition/roller.hpp"
+
+#include <cstdint>
+
+namespace repose::deposition {
+
+/// Looks at every disc and image each time: the reference that `Columns` must equal bit for bit.
+class BruteForce {
+ public:
+  BruteForce(const DepositionSettings& settings, const Grains<2>& grains) : box_(settings.box), line_(grains.line) {}
+
+  void add(std::int32_t) {}
+  void clear() {}
+  void fall(Fall& fall) const { show_all(fall); }
+  void roll(Arc& arc) const { show_all(arc); }
+
+ private:
+  template <class Meeting>
+  void show_all(Meeting& meeting) const {
+    const int images = box_.periodic ? 3 : 0;  // a disc reaches over less than three widths of two diameters
+    for (std::size_t k = 0; k < line_.size(); ++k) {
+      const auto& disc = line_[k];
+      for (int image = -images; image <= images; ++image) {
+        const double shift = image == 0 ? 0.0 : static_cast<double>(image) * box_.width();
+        meeting.consider({static_cast<std::int32_t>(k), disc.position[0] + shift, disc.position[1], disc.radius});
+      }
+    }
+  }
+
+  Box<2> box_;
+  const std::vector<Grain<2>>& line_;
+};
+
+}  // namespace repose::deposition
