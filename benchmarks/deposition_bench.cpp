@@ -7,7 +7,6 @@
 #include "repose/methods/deposition/deposition.hpp"
 
 #include <benchmark/benchmark.h>
-
 #include <sys/resource.h>
 
 #include <cmath>
@@ -51,7 +50,8 @@ void deposit(benchmark::State& state) {
   getrusage(RUSAGE_SELF, &usage);
   state.counters["discs"] =
       benchmark::Counter(static_cast<double>(state.iterations() * settings.count), benchmark::Counter::kIsRate);
-  state.counters["bytes_per_disc"] = 1024.0 * static_cast<double>(usage.ru_maxrss) / static_cast<double>(settings.count);
+  state.counters["bytes_per_disc"] =
+      1024.0 * static_cast<double>(usage.ru_maxrss) / static_cast<double>(settings.count);
 }
 
 BENCHMARK(deposit)

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reads analysis.h5 of a run folder; the format is described in docs/reference/analysis.md."""
 
+import h5py
+
 from repose.hdf5 import Table, attributes_of, check_format, opened
 
 FORMAT_VERSION = 1
@@ -18,10 +20,21 @@ GROUPS = {
 }  # by group the datasets that it has
 
 
+class Packing(Table):
+    """The group of a packing: a Table of its own with a Table by name for each part that it has."""
+
+    parts: "dict[str, Table]"
+
+    def __init__(self, group):
+        super().__init__(group, "id neighbours connectivity connectivity_error")
+        self.parts = {name: Table(part) for name, part in group.items() if isinstance(part, h5py.Group)}
+
+
 class Analysis(dict):
     """What the analysis derived from the last state of a run: a Table by name of its group, None without."""
 
     attributes: dict  # of analysis.h5: repose_version, time [T] of the state
+    packing: "Packing | None"
 
     def __init__(self, path):
         with opened(path) as file:
@@ -30,3 +43,4 @@ class Analysis(dict):
             super().__init__(
                 {name: Table(file[name], columns) if name in file else None for name, columns in GROUPS.items()}
             )
+            self.packing = Packing(file["packing"]) if "packing" in file else None

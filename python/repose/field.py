@@ -175,7 +175,8 @@ def _what_is_shown(run, state, box):
     text = f"{count} {'grain' if count == 1 else 'grains'}"
     if outside:
         text += f" ({outside} outside the picture)"
-    text += f", t = {style.units_of(run).time_value(state.time)}"
+    if run.attributes.get("method") != "deposition":  # where time counts grains
+        text += f", t = {style.units_of(run).time_value(state.time)}"
     return text if state.frame or run.attributes["status"] == "finished" else f"{text}, {run.attributes['status']}"
 
 

@@ -24,6 +24,8 @@ GRAIN = "#a9c4dc"  # moving grains
 GRAIN_EDGE = "#34506b"
 HELD = "#4d4d4d"  # base and other fixed grains
 
+NEIGHBOURS = ("#ece7f2", "#fee391", "#fdae61", "#a6d96a", "#66c2a5", "#4393c3", "#2d3f8c")  # 0, 1, ... 6 or more
+
 PACKING = "viridis_r"  # of solid fractions: dense is dark
 LOAD = ListedColormap(colormaps["Blues"](np.linspace(0.03, 0.72, 256)), "load")  # light enough for ink on it
 

@@ -32,19 +32,19 @@ IsotropicStructureFactor read_structure(const Discs& discs, const Slab& slab, St
 PackingResult analyse_packing(const Discs& discs, const Box<2>& box, const PackingOptions& options) {
   const bool right = options.gap >= 0.0 && options.column > 0.0 && options.pair_correlation.bin_width > 0.0 &&
                      options.pair_correlation.strip > 0.0;
-  if (!right) return {{}, "gap must be >= 0; column, bin_width and strip must be > 0"};
+  if (!right) return {{}, "gap must be >= 0; column, bin_width and strip must be > 0", {}};
   if (options.blocks == 0 || options.directions == 0 || options.density_bins == 0) {
-    return {{}, "blocks, directions and density_bins must be at least 1"};
+    return {{}, "blocks, directions and density_bins must be at least 1", {}};
   }
   auto found = find_slab(discs, box, options.slab);
-  if (!found.slab) return {{}, std::move(found.problem)};
+  if (!found.slab) return {{}, std::move(found.problem), {}};
   const Slab& slab = *found.slab;
 
   Packing packing;
   packing.slab = slab;
   packing.discs = deposited_count(discs);
   packing.solid_fraction = solid_fraction(discs, slab, options.blocks);
-  const auto graph = contact_graph(discs, box, options.gap);
+  auto graph = contact_graph(discs, box, options.gap);
   const auto on_planes = plane_contacts(discs, options.planes, options.gap);
   const auto loose = rattlers(discs, graph, on_planes);
   packing.contacts = graph.contacts();
@@ -56,7 +56,7 @@ PackingResult analyse_packing(const Discs& discs, const Box<2>& box, const Packi
   if (options.correlations) packing.pair_correlation = pair_correlation(discs, slab, options.pair_correlation);
   if (options.structure) packing.structure_factor = read_structure(discs, slab, options.structure_factor);
   if (options.local_density) packing.local_density = local_density(discs, slab, options.density_bins);
-  return {std::move(packing), {}};
+  return {std::move(packing), {}, std::move(graph)};
 }
 
 }  // namespace repose

@@ -62,10 +62,11 @@ struct Packing {
   std::optional<LocalDensity> local_density;
 };
 
-/// A packing, or one sentence why it could not be measured (see find_slab).
+/// A packing and the contacts it was measured by, or one sentence why it could not be measured (see find_slab).
 struct PackingResult {
   std::optional<Packing> packing;
   std::string problem;
+  ContactGraph graph;
 };
 
 /// Measures a packing in its slab. Cost: with the options as they are, 0.1 ms for 1000 discs and 0.4 s for 1e6; for

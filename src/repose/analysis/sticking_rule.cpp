@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/analysis/sticking_rule.hpp"
 
-#include "repose/neighbours/near_pairs.hpp"
-
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace repose {
@@ -64,15 +63,16 @@ std::vector<std::uint8_t> breaks_sticking_rule(const Discs& discs, const Box<2>&
   return breaks;
 }
 
-double deepest_overlap(const Discs& discs, const Box<2>& box) {
-  if (discs.size() == 0) return 0.0;
+double deepest_overlap(const Discs& discs, const Box<2>& box, const ContactGraph& graph) {
   double deepest = 0.0;
-  const double largest = *std::max_element(discs.radius.begin(), discs.radius.end());
-  for_near_pairs(discs.position, box, 2.0 * largest, [&](std::uint32_t i, std::uint32_t j) {
-    const double reach = discs.radius[i] + discs.radius[j];
-    const double distance2 = squared(separation(discs.position[i], discs.position[j], box));
-    if (distance2 < reach * reach) deepest = std::max(deepest, 2.0 * (reach - std::sqrt(distance2)) / reach);
-  });
+  for (std::uint32_t i = 0; i < discs.size(); ++i) {
+    for (const auto j : graph.of(i)) {
+      if (j > i) break;
+      const double reach = discs.radius[i] + discs.radius[j];
+      const double distance = magnitude(separation(discs.position[i], discs.position[j], box));
+      deepest = std::max(deepest, 2.0 * (reach - distance) / reach);
+    }
+  }
   return deepest;
 }
 

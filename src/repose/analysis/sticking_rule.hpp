@@ -20,7 +20,8 @@ std::vector<std::uint8_t> breaks_sticking_rule(const Discs& discs, const Box<2>&
                                                const Planes& planes, double gap, double critical_angle_deg,
                                                double slack_deg = 1e-4);
 
-/// The deepest overlap of any two discs, over their mean diameter; 0 if none overlap.
-double deepest_overlap(const Discs& discs, const Box<2>& box);
+/// The deepest overlap of any two discs, over their mean diameter; 0 if none overlap. `graph` is of their contacts, to
+/// any gap >= 0.
+double deepest_overlap(const Discs& discs, const Box<2>& box, const ContactGraph& graph);
 
 }  // namespace repose

@@ -40,12 +40,13 @@ int carry_out(Simulation& simulation, RunFolder& folder, bool quiet) {
   hooks.pause = [&](Simulation& s, bool last) { folder.pause(s, last); };
   simulation.run(hooks, interrupted);
   progress.finish();
-  folder.write(simulation, false);
+  std::string result;
+  folder.write(simulation, false,
+               [&](const Record& record, const Reading& reading) { result = describe_result(record, reading); });
   if (simulation.status() == Status::failed) throw RunError(simulation.message());
   const bool stopped = simulation.status() == Status::interrupted;
   if (!quiet) {
-    const auto record = simulation.record();
-    fmt::print("{}", describe_result(record, read(record)));
+    fmt::print("{}", result);
     if (stopped) fmt::print("to go on         repose resume {}\n", folder.path());
   }
   return stopped ? exit_interrupted : 0;

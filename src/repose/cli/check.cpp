@@ -29,7 +29,8 @@ Command add_check(CLI::App& app) {
             const bool deposits = scene.method.deposits();
             fmt::print("{}{}", describe(scene), deposits ? "" : describe_contacts(scene));
             const double work = expected_work(scene, expected_end(scene));
-            fmt::print("cost             about {:.2g} s of one core\n", work / (deposits ? typical_discs : typical_speed));
+            fmt::print("cost             about {:.2g} s of one core\n",
+                       work / (deposits ? typical_discs : typical_speed));
             return 0;
           }};
 }

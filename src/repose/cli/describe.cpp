@@ -209,10 +209,11 @@ std::string describe_result(const Record& record, const Reading& reading) {
       facts.time, facts.steps, facts.wall_seconds, facts.grain_steps / std::max(facts.wall_seconds, 1e-9));
   text += fmt::format("grains           {} present, {} lost\n", moving_count(record.grains), facts.lost);
   if (reading.packing) text += describe_packing(*reading.packing);
-  if (!reading.packing_problem.empty()) text += fmt::format("packing          not measured: {}\n", reading.packing_problem);
+  if (!reading.packing_problem.empty())
+    text += fmt::format("packing          not measured: {}\n", reading.packing_problem);
   if (record.scene.method.deposits()) {
-    return text + fmt::format("deepest overlap  {:.2g} diameters; {} discs do not rest by the rule\n", reading.max_overlap,
-                              reading.breaking_rule);
+    return text + fmt::format("deepest overlap  {:.2g} diameters; {} discs do not rest by the rule\n",
+                              reading.max_overlap, reading.breaking_rule);
   }
   const auto& heap = reading.heap;
   const auto flank = [](const std::optional<FlankLine>& line) {

@@ -42,8 +42,10 @@ struct Contacts {
 
   std::size_t size() const { return list.size(); }
   void sort() {
-    std::sort(list.begin(), list.end(),
-              [](const auto& a, const auto& b) { return std::tie(a.first, a.second) < std::tie(b.first, b.second); });
+    const auto before = [](const auto& a, const auto& b) {
+      return std::tie(a.first, a.second) < std::tie(b.first, b.second);
+    };
+    if (!std::is_sorted(list.begin(), list.end(), before)) std::sort(list.begin(), list.end(), before);
   }
 };
 

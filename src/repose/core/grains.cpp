@@ -11,6 +11,7 @@ template <int D>
 std::vector<std::uint32_t> by_id(const Grains<D>& grains) {
   std::vector<std::uint32_t> order(grains.size());
   std::iota(order.begin(), order.end(), 0U);
+  if (std::is_sorted(grains.id.begin(), grains.id.end())) return order;
   std::sort(order.begin(), order.end(), [&](auto a, auto b) { return grains.id[a] < grains.id[b]; });
   return order;
 }

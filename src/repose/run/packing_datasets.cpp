@@ -26,7 +26,8 @@ void write_contacts_of(Hdf5File& file, const Record& record, const Reading& read
   file.dataset("packing/neighbours", reading.neighbours, 1, "", "grains that touch it, base grains included");
   const std::vector<double> share(coordination.connectivity.begin(), coordination.connectivity.end());
   const std::vector<double> error(coordination.connectivity_error.begin(), coordination.connectivity_error.end());
-  file.dataset("packing/connectivity", share, 1, "", "share of grains in the slab with 0 to 5, and 6 or more, contacts");
+  file.dataset("packing/connectivity", share, 1, "",
+               "share of grains in the slab with 0 to 5, and 6 or more, contacts");
   file.dataset("packing/connectivity_error", error, 1, "", "standard error, by blocks along x");
 }
 

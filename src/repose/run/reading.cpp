@@ -60,20 +60,19 @@ void read_packing(const Record& record, Reading& reading) {
   reading.packing = std::move(result.packing);
   reading.packing_problem = std::move(result.problem);
   if (!reading.packing) return;
-  const auto graph = contact_graph(discs, box, options.gap);
+  const auto& graph = result.graph;
   for (std::size_t k = 0; k < discs.size(); ++k) {
     reading.neighbours.push_back(static_cast<std::int64_t>(graph.degree(k)));
   }
   if (!scene.method.deposits()) return;
-  const auto breaks =
-      breaks_sticking_rule(discs, box, graph, options.planes, options.gap, scene.method.critical_angle);
+  reading.max_overlap = deepest_overlap(discs, box, graph);
+  const auto breaks = breaks_sticking_rule(discs, box, graph, options.planes, options.gap, scene.method.critical_angle);
   reading.breaking_rule = std::count(breaks.begin(), breaks.end(), 1);
 }
 
 /// Of grains that were put there by geometry: there are no forces to speak of.
 Reading read_deposition(const Record& record) {
   Reading reading;
-  reading.max_overlap = deepest_overlap(discs_of(record.grains, make_box(record.scene)), make_box(record.scene));
   read_packing(record, reading);
   return reading;
 }

@@ -39,9 +39,10 @@ struct Reading {
   std::optional<double> field_weight_error;  ///< integral of the density field over the mass of the heap, less 1
   Motion motion;
   std::optional<Packing> packing;
-  std::string packing_problem;           ///< why there is none although it was asked for
-  std::vector<std::int64_t> neighbours;  ///< touching grains of each grain, by its place in the record, with the packing
-  std::int64_t breaking_rule = 0;        ///< deposited discs that do not rest by the critical-angle rule
+  std::string packing_problem;  ///< why there is none although it was asked for
+  std::vector<std::int64_t>
+      neighbours;                  ///< touching grains of each grain, by its place in the record, with the packing
+  std::int64_t breaking_rule = 0;  ///< deposited discs that do not rest by the critical-angle rule
 };
 
 Reading read(const Record& record);

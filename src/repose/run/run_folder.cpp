@@ -139,7 +139,7 @@ void RunFolder::pause(Simulation& simulation, bool last) {
   cost_ = seconds_since(start);
 }
 
-void RunFolder::write(const Simulation& simulation, bool frame) {
+void RunFolder::write(const Simulation& simulation, bool frame, const Written& written) {
   std::error_code error;
   if (simulation.track().size() > moments_written_) {
     fs::create_directories(path_ + "/track", error);
@@ -160,13 +160,15 @@ void RunFolder::write(const Simulation& simulation, bool frame) {
     file.commit();
     frames_.push_back(name);
   }
-  write_run(record);
+  write_run(record, written);
   if (simulation.status() == Status::finished || simulation.status() == Status::failed) remove_checkpoints(path_);
 }
 
-void RunFolder::write_run(const Record& record) {
+void RunFolder::write_run(const Record& record, const Written& written) {
   write_record(path_ + "/run.h5", record, frames_, segments_);
-  write_reading(path_, record, read(record));
+  const auto reading = read(record);
+  write_reading(path_, record, reading);
+  if (written) written(record, reading);
 }
 
 void write_reading(const std::string& folder, const Record& record, const Reading& reading) {

@@ -17,6 +17,9 @@ namespace repose {
 /// The folder that a run writes; see docs/reference/run-folder.md.
 class RunFolder {
  public:
+  /// To be called with what was written.
+  using Written = std::function<void(const Record&, const Reading&)>;
+
   /// What stands in the way of writing a run here, one line each; nothing is touched.
   static std::vector<std::string> problems(const std::string& path, bool overwrite);
 
@@ -38,12 +41,12 @@ class RunFolder {
 
   /// Writes the present state, what the analysis says of it, and a frame if asked. Throws RunError; what was there
   /// before stays.
-  void write(const Simulation& simulation, bool frame);
+  void write(const Simulation& simulation, bool frame, const Written& written = {});
 
   const std::string& path() const { return path_; }
 
  private:
-  void write_run(const Record& record);
+  void write_run(const Record& record, const Written& written = {});
 
   using Clock = std::chrono::steady_clock;
 

@@ -26,6 +26,7 @@ constexpr double largest_overlap = 0.75;
 
 /// Grain-steps after which the program looks up: whether it is to stop. About a second of one core.
 constexpr double longest_spell = 1e7;
+constexpr double least_cost = 20.0;  // of a step, in grain-steps
 
 /// The scene as it is kept with the run: a copy of what it starts from lies beside it.
 Scene as_kept(Scene scene) {
@@ -71,7 +72,7 @@ std::int64_t Simulation::grains_lost() const {
 }
 
 long Simulation::next_stop() const {
-  const double spell = longest_spell / (1.0 + method_->grains_per_step(grains_.size()));
+  const double spell = longest_spell / (least_cost + method_->grains_per_step(grains_.size()));
   long next = step_ + std::max(1L, static_cast<long>(spell));
   next = std::min(next, (step_ / observe_every_ + 1) * observe_every_);
   if (!source_->done()) next = std::min(next, source_->next_step());
@@ -184,7 +185,8 @@ void Simulation::observe(const Hooks& hooks) {
   if (std::any_of(grains_.line.begin(), grains_.line.end(), has_left)) method_->refresh(grains_, team_);
   moving_ = moving_count(grains_);
   record_reactions();
-  const auto contacts = method_->contacts(grains_);
+  // Geometry alone holds deposited discs: there are no forces to look at on the way.
+  const auto contacts = scene_.method.deposits() ? Contacts<2>{} : method_->contacts(grains_);
   SeriesRow row;
   row.time = time();
   row.grains = static_cast<std::int64_t>(moving_);
@@ -305,7 +307,7 @@ Record Simulation::record() const {
   facts.lost = grains_lost();
   facts.support_force = force_on_supports(record.contacts);
   record.grains = grains_;
-  record.grains.reorder(by_id(grains_));
+  if (!std::is_sorted(grains_.id.begin(), grains_.id.end())) record.grains.reorder(by_id(grains_));
   const auto box = make_box(scene_);
   for (auto& grain : record.grains.line) grain.position = box.wrapped(grain.position);
   facts.state_hash = state_hash(record.grains, record.contacts);

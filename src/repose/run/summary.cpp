@@ -113,16 +113,17 @@ Json packing_json(const Reading& reading, const Scene& scene) {
   if (!reading.packing) return nullptr;
   const auto& packing = *reading.packing;
   const auto& slab = packing.slab;
-  Json json = {{"slab",
-                {{"low", slab.low}, {"high", slab.high}, {"base_height", slab.base_height}, {"mean_height", slab.mean_height}}},
-               {"contact_gap", scene.analysis.contact_gap},
-               {"discs", packing.discs},
-               {"discs_in_slab", packing.coordination.discs},
-               {"solid_fraction", estimate(packing.solid_fraction)},
-               {"coordination", estimate(packing.coordination.mean)},
-               {"coordination_without_rattlers", estimate(packing.coordination.without_rattlers)},
-               {"rattlers", number(packing.coordination.rattlers)},
-               {"connectivity_error", packing.coordination.connectivity_error}};
+  Json json = {
+      {"slab",
+       {{"low", slab.low}, {"high", slab.high}, {"base_height", slab.base_height}, {"mean_height", slab.mean_height}}},
+      {"contact_gap", scene.analysis.contact_gap},
+      {"discs", packing.discs},
+      {"discs_in_slab", packing.coordination.discs},
+      {"solid_fraction", estimate(packing.solid_fraction)},
+      {"coordination", estimate(packing.coordination.mean)},
+      {"coordination_without_rattlers", estimate(packing.coordination.without_rattlers)},
+      {"rattlers", number(packing.coordination.rattlers)},
+      {"connectivity_error", packing.coordination.connectivity_error}};
   // By name too: a sweep makes measures of numbers, not of lists.
   for (std::size_t q = 0; q < packing.coordination.connectivity.size(); ++q) {
     json[fmt::format("P_{}", q)] = number(packing.coordination.connectivity[q]);
@@ -215,7 +216,8 @@ std::string summary_text(const Record& record, const Reading& reading) {
   if (scene.method.deposits()) {
     json["critical_angle"] = scene.method.critical_angle;
     json["contacts"] = reading.packing ? Json(reading.packing->contacts) : Json(nullptr);
-    for (const auto* key : {"kinetic_energy_per_grain", "force_residual", "force_threshold", "velocities"}) json[key] = nullptr;
+    for (const auto* key : {"kinetic_energy_per_grain", "force_residual", "force_threshold", "velocities"})
+      json[key] = nullptr;
     if (reading.packing) put_packing(*reading.packing, json);
   }
   json["state_hash"] = facts.state_hash;

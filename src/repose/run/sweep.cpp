@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/run/sweep.hpp"
 
-#include "repose/io/whole_file.hpp"
-
 #include "repose/core/errors.hpp"
+#include "repose/io/whole_file.hpp"
 #include "repose/run/expectation.hpp"
 #include "repose/run/run_folder.hpp"
 #include "repose/run/simulation.hpp"

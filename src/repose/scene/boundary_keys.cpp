@@ -32,9 +32,10 @@ void base_keys(Scene& scene, Keys& keys) {
 }
 
 void deposition_base_keys(Scene& scene, Keys& keys) {
-  keys.choice("base.kind", scene.base.kind, "contiguous", {"contiguous", "flat", "disordered"},
-              "what the first discs fall on: a row of touching discs with centres at height 0, the floor below, or discs "
-              "at random places on it until no more fit");
+  keys.choice(
+      "base.kind", scene.base.kind, "contiguous", {"contiguous", "flat", "disordered"},
+      "what the first discs fall on: a row of touching discs with centres at height 0, the floor below, or discs "
+      "at random places on it until no more fit");
   keys.integer("base.count", scene.base.count, 32, 2, "width in diameters: so many discs make a contiguous base");
   keys.choice("box.x", scene.box.x, "periodic", {"periodic", "walls"}, "what is at the sides");
   scene.base.half_width = scene.box.half_width = 0.5 * static_cast<double>(scene.base.count) * scene.grains.diameter;

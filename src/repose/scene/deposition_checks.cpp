@@ -21,8 +21,9 @@ void check_deposition(const Scene& scene, Reader& reader) {
   }
   const double width = 2.0 * scene.box.half_width;
   if (width < 2.0 * scene.largest_drawn() * (1.0 - 1e-9)) {
-    reader.problem("base.count", fmt::format(" = {}: the width {:.4g} must be at least two of the largest diameters, {:.4g} [L]",
-                                             scene.base.count, width, 2.0 * scene.largest_drawn()));
+    reader.problem("base.count",
+                   fmt::format(" = {}: the width {:.4g} must be at least two of the largest diameters, {:.4g} [L]",
+                               scene.base.count, width, 2.0 * scene.largest_drawn()));
   }
 }
 

@@ -11,9 +11,10 @@ namespace {
 void deposition_keys(Scene& scene, Keys& keys) {
   keys.number("method.critical_angle", scene.method.critical_angle, required, {.low = 0.0, .high = 90.0}, "deg",
               "a disc sticks where its contact is less than this off upright: 0 steepest descent, 90 first touch");
-  keys.choice("method.arithmetic", scene.method.arithmetic, "auto", {"auto", "snapped", "double"},
-              "snapped: places are multiples of 2^-40 radii, so that rounding cannot grow from layer to layer (auto: at "
-              "exactly 0 degrees)");
+  keys.choice(
+      "method.arithmetic", scene.method.arithmetic, "auto", {"auto", "snapped", "double"},
+      "snapped: places are multiples of 2^-40 radii, so that rounding cannot grow from layer to layer (auto: at "
+      "exactly 0 degrees)");
 }
 
 void method_keys(Scene& scene, Keys& keys) {

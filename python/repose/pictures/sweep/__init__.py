@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The pictures of a sweep: each is a function of a SweepFolder that returns figures or raises NotDrawn."""
 
-from repose.pictures.sweep import angle, dip, measures, profiles
+from repose.pictures.sweep import angle, dip, measures, packing, profiles
 
 SWEEP_PICTURES = {
     "profiles": profiles.draw,
     "angle": angle.draw,
     "dip": dip.draw,
     "measures": measures.draw,
+    "packing": packing.draw,
 }

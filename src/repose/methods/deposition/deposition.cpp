@@ -55,13 +55,15 @@ class Deposition final : public Method<2> {
 
   Contacts<2> contacts(const Grains<2>& grains) const override {
     Contacts<2> contacts;
-    contacts.list.reserve(2 * grains.size());
+    std::size_t count = 0;
+    for (const auto& support : supports_) count += (support.first >= 0 ? 1U : 0U) + (support.second >= 0 ? 1U : 0U);
+    contacts.list.reserve(count);
     for (std::size_t k = 0; k < supports_.size(); ++k) {
-      for (const auto support : {supports_[k].first, supports_[k].second}) {
+      const auto [low, high] = std::minmax(supports_[k].first, supports_[k].second);
+      for (const auto support : {low, high}) {
         if (support >= 0) contacts.list.push_back(touch(grains, k, static_cast<std::size_t>(support)));
       }
     }
-    contacts.sort();
     return contacts;
   }
 

@@ -55,8 +55,8 @@ struct Landing {
 struct Fall {
   double x;
   double radius;
-  double start;          ///< [L] y from which it falls
-  Fixed leave_out{};     ///< the disc beside which it falls
+  double start;       ///< [L] y from which it falls
+  Fixed leave_out{};  ///< the disc beside which it falls
   Landing best{};
 
   REPOSE_FN void consider(const Fixed& disc) {
@@ -68,7 +68,9 @@ struct Fall {
     if (y > start + small_angle * reach) return;
     if (y > best.y || (y == best.y && before(disc, best.on))) best = {disc, y};
   }
-  static bool before(const Fixed& a, const Fixed& b) { return a.number < b.number || (a.number == b.number && a.x < b.x); }
+  static bool before(const Fixed& a, const Fixed& b) {
+    return a.number < b.number || (a.number == b.number && a.x < b.x);
+  }
 };
 
 /// The arc of a disc that rolls around `pivot`, to the side +1 (right) or -1, and the first touch on it. Offsets from

@@ -25,8 +25,9 @@ struct DepositionSettings {
   double floor = -std::numeric_limits<double>::infinity();  ///< [L] y of a flat floor, on which every disc stops
   double smallest_radius = 0.5;                             ///< [L] of all discs, base included, > 0
   double largest_radius = 0.5;                              ///< [L]
-  bool snapped = false;   ///< places are multiples of 2^-40 of the largest radius: rounding cannot grow from layer to layer
-  std::int64_t count = 0;  ///< discs to deposit
+  bool snapped =
+      false;  ///< places are multiples of 2^-40 of the largest radius: rounding cannot grow from layer to layer
+  std::int64_t count = 0;                         ///< discs to deposit
   std::function<DroppedDisc(std::int64_t)> drop;  ///< the k-th of them, a function of k alone
 };
 
