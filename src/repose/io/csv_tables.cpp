@@ -87,7 +87,7 @@ void print_notes(WholeFile& file, const Hdf5Reader& source, const CsvTable& tabl
 /// What the rest is a function of goes first.
 void put_arguments_first(std::vector<std::string>& datasets) {
   auto next = datasets.begin();
-  for (const auto* name : {"id", "time", "start", "end", "x", "y", "f"}) {
+  for (const auto* name : {"id", "distance", "wave_number", "direction_deg", "time", "start", "end", "x", "y", "f"}) {
     const auto found = std::find(next, datasets.end(), name);
     if (found != datasets.end()) std::rotate(next++, found, found + 1);
   }
@@ -133,6 +133,7 @@ std::vector<CsvTable> csv_tables(const Hdf5Reader& file) {
     for (auto& table : found) {
       const bool main = !grid && &table == &found.front();
       table.name = main ? group : group + "_" + table.datasets.front();
+      std::replace(table.name.begin(), table.name.end(), '/', '_');
       put_arguments_first(table.datasets);
       tables.push_back(std::move(table));
     }

@@ -228,13 +228,20 @@ std::string Hdf5Reader::text_or(const std::string& object, const std::string& at
 
 std::vector<std::string> Hdf5Reader::groups() const {
   std::vector<std::string> found;
-  for (const auto& name : names_in("/")) {
-    H5L_info_t link{};
-    if (H5Lget_info(file_, name.c_str(), &link, H5P_DEFAULT) < 0 || link.type != H5L_TYPE_HARD) continue;
-    const Handle group(H5Gopen2(file_, name.c_str(), H5P_DEFAULT), H5Gclose);
-    if (!group.failed()) found.push_back(name);
-  }
+  add_groups("", found);
   return found;
+}
+
+void Hdf5Reader::add_groups(const std::string& prefix, std::vector<std::string>& found) const {
+  for (const auto& name : names_in(prefix.empty() ? "/" : prefix)) {
+    const auto path = prefix + name;
+    H5L_info_t link{};
+    if (H5Lget_info(file_, path.c_str(), &link, H5P_DEFAULT) < 0 || link.type != H5L_TYPE_HARD) continue;
+    const Handle group(H5Gopen2(file_, path.c_str(), H5P_DEFAULT), H5Gclose);
+    if (group.failed()) continue;
+    found.push_back(path);
+    add_groups(path + "/", found);
+  }
 }
 
 std::vector<std::string> Hdf5Reader::names_in(const std::string& group) const {

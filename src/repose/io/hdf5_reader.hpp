@@ -55,13 +55,15 @@ class Hdf5Reader {
   /// A text attribute, or `otherwise` where there is none.
   std::string text_or(const std::string& object, const std::string& attribute, const std::string& otherwise) const;
 
-  /// Names of the groups that lie in the file itself, not behind links.
+  /// Paths of the groups that lie in the file itself, not behind links, each before those in it.
   std::vector<std::string> groups() const;
 
   /// Names of the objects in a group, ascending.
   std::vector<std::string> names_in(const std::string& group) const;
 
  private:
+  void add_groups(const std::string& prefix, std::vector<std::string>& found) const;
+
   template <class T>
   std::vector<T> read(const std::string& name, std::size_t columns, int rank) const;
   [[noreturn]] void fail(const std::string& object, const std::string& what) const;
