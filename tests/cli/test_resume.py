@@ -60,6 +60,37 @@ PERIODIC = SCENE.replace("[[plane]]", "[[wall]]").replace(
     "point = [-18.0, 0.0]\nnormal = [1.0, 0.0]", "from = [-18.0, 0.6]\nto = [-18.0, 9.0]").replace("half_width = 20\n", "half_width = 20\n[box]\nx = \"periodic\"\n").replace("energy = true\n", "")
 
 
+# The laws, sources and kinds of grains that the one above leaves out.
+OTHER = """[contact]
+friction = 0.5
+normal = { law = "hertz", stiffness = 1e5, restitution = 0.6 }
+tangential = { law = "mindlin" }
+rolling = { law = "spring", friction = 0.1 }
+cohesion = { law = "constant", force = 0.2 }
+[[species]]
+name = "coarse"
+sizes = { kind = "fixed", diameter = 1.0 }
+[[species]]
+name = "fine"
+sizes = { kind = "uniform", low = 0.5, high = 0.8 }
+[base]
+kind = "deposited"
+half_width = 12
+[box]
+x = "periodic"
+[source]
+kind = "rain"
+count = 300
+rate = 5.0
+height = 15
+[stop]
+time = 250
+[output]
+frames = 20
+checkpoint = 1e-3
+"""
+
+
 def comparable(folder):
     """All numbers of a run folder but those that tell of the machine."""
     everything = {f"run{name}": value.tobytes() for name, value in datasets(folder / "run.h5").items()}
@@ -144,6 +175,18 @@ def test_goes_on_bit_for_bit(undisturbed, how):
     resumed(lab, out, "--threads", "3")
     assert_same_run(lab.path / "whole", out)
     assert not (out / "checkpoints").exists()
+
+
+def test_other_laws_and_sources_go_on(lab):
+    lab.text = OTHER
+    whole = lab.run(OTHER, out="whole")
+    out = lab.path / "cut"
+    process = started(lab, out)
+    wait_until(out, 50.0)
+    process.kill()
+    process.communicate(timeout=30)
+    resumed(lab, out, "--threads", "3")
+    assert_same_run(whole, out)
 
 
 def test_interrupted_again_and_again(undisturbed):

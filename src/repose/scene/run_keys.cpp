@@ -10,8 +10,9 @@ namespace {
 
 void packing_keys(Scene& scene, Keys& keys) {
   auto& analysis = scene.analysis;
-  analysis.packing = scene.method.deposits();
-  if (!analysis.packing) {
+  if (scene.method.deposits()) {
+    analysis.packing = true;
+  } else {
     keys.flag("analysis.packing", analysis.packing, scene.box.x == "periodic",
               "measure the packing in a slab: solid fraction, contacts, fabric");
   }
