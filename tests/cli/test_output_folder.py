@@ -110,20 +110,20 @@ def test_a_bad_scene_with_overwrite_keeps_the_older_run(lab, scene):
 # --- a full disk: a limit on the size of any file, in blocks of 1024 bytes, stands in for it
 
 def test_disk_full_at_the_start(lab, scene):
-    for blocks, name in ((0, "out/scene.toml"), (1, "scene.toml"), (4, "out/run.h5")):
+    for blocks, name in ((0, "out/scene.toml"), (1, "scene.toml"), (6, "out/run.h5")):
         said = lab.refused("run", scene, "--out", "out", before=f"ulimit -f {blocks}", parts=[name, "cannot write", "File too large"])
         assert len(said.strip().splitlines()) == 1, said
         assert not (lab.path / "out").exists()
 
 
 def test_disk_full_at_the_start_below_new_folders(lab, scene):
-    lab.refused("run", scene, "--out", "a/b/c", before="ulimit -f 4", parts=["a/b/c/run.h5", "File too large"])
+    lab.refused("run", scene, "--out", "a/b/c", before="ulimit -f 6", parts=["a/b/c/run.h5", "File too large"])
     assert not (lab.path / "a").exists()
 
 
 def test_disk_full_at_the_start_keeps_a_folder_that_was_there(lab, scene):
     (lab.path / "empty").mkdir()
-    lab.refused("run", scene, "--out", "empty", before="ulimit -f 4", parts=["empty/run.h5"])
+    lab.refused("run", scene, "--out", "empty", before="ulimit -f 6", parts=["empty/run.h5"])
     assert everything_in(lab.path / "empty") == []
 
 
@@ -131,7 +131,7 @@ def test_disk_full_at_the_start_of_an_overwrite(lab, scene):
     """A run that cannot be replaced should not be lost."""
     assert lab("run", scene, "--out", "out", "--quiet").returncode == 0
     before = contents(lab.path / "out")
-    result = lab("run", scene, "--out", "out", "--overwrite", before="ulimit -f 4")
+    result = lab("run", scene, "--out", "out", "--overwrite", before="ulimit -f 6")
     assert result.returncode == 2
     assert contents(lab.path / "out") == before
 
