@@ -72,6 +72,9 @@ WITHOUT_WALLS = {
     "budget": "no account of the energy (output.energy)",
     "walls": "no walls, or fewer than two rows in the time series",
 }
+NO_PACKING = dict.fromkeys(
+    ("packing", "directions", "correlations", "surface"), "no packing was measured (analysis.packing)"
+)
 
 
 def assert_shows_something(path):
@@ -89,7 +92,7 @@ def test_draws_what_there_is(tmp_path, capsys, kind):
     assert main([str(folder), "--dpi", "60"]) == 0
     printed = capsys.readouterr()
     assert printed.err == ""
-    left_out = LEFT_OUT.get(kind, {}) | ({} if kind == "plane" else WITHOUT_WALLS)
+    left_out = LEFT_OUT.get(kind, {}) | NO_PACKING | ({} if kind == "plane" else WITHOUT_WALLS)
     expected = []
     for name in PICTURES:
         if name in left_out:
@@ -135,7 +138,7 @@ def test_places_that_are_not_numbers_are_survived(tmp_path):
         file["grains/position"][-1] = np.nan
         file["contacts/normal_force"][:3] = np.nan
     assert main([str(folder), "--dpi", "50", "--format", "png"]) == 0
-    assert len(list((folder / "pictures").iterdir())) == len(PICTURES) - len(WITHOUT_WALLS)
+    assert len(list((folder / "pictures").iterdir())) == len(PICTURES) - len(WITHOUT_WALLS) - len(NO_PACKING)
 
 
 def test_many_grains_become_pixels_in_svg(tmp_path, monkeypatch):

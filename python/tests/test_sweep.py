@@ -196,13 +196,18 @@ def test_more_than_twelve_profiles_go_on_in_another_figure(tmp_path, capsys):
     assert capsys.readouterr().out.splitlines() == pictures
 
 
+NO_PACKINGS = "not drawn: no packings measured over a parameter that is a number"
+
+
 @pytest.mark.filterwarnings("error")
 @pytest.mark.parametrize("kind", [ONE, TWO, SCENES, NAMED], ids=["one", "two", "scenes", "named"])
 def test_command_line_draws_a_sweep(tmp_path, capsys, kind):
     folder = write_sweep(tmp_path / "sweep", **kind)
     assert main([str(folder), "--format", "png,svg", "--dpi", "50"]) == 0
     printed = capsys.readouterr()
-    expected = [str(folder / "pictures" / f"{name}.{end}") for name in SWEEP_PICTURES for end in ("png", "svg")]
+    drawn = [name for name in SWEEP_PICTURES if name != "packing"]
+    expected = [str(folder / "pictures" / f"{name}.{end}") for name in drawn for end in ("png", "svg")]
+    expected.append(f"packing: {NO_PACKINGS}")
     assert printed.out.splitlines() == expected
     assert printed.err == ""
 
@@ -216,6 +221,7 @@ def test_sweep_without_anything_finished(tmp_path, capsys):
         "angle: not drawn: no member has angle_of_repose_deg.mean",
         "dip: not drawn: no member has a loaded base",
         "measures: not drawn: no member has any of its measures",
+        f"packing: {NO_PACKINGS}",
     ]
 
 
