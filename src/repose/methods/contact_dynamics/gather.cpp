@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <tuple>
 
 namespace repose::contact_dynamics {
@@ -15,6 +16,10 @@ namespace {
 /// radius, so that all collisions of a step are solved together, and what gravity may add.
 constexpr double margin_of_radius = 0.05;
 constexpr double margin_of_fall = 2.5;
+
+/// Overlap over radius that is left alone. A packing at rest has more contacts than the motions of its grains can obey:
+/// if every overlap of rounding size asked to be taken back, no impulses could satisfy all, and the solver would drift.
+constexpr double settled_overlap = 1e-3;
 
 /// Two bodies side by side.
 template <int D>
@@ -115,7 +120,7 @@ class Gathering {
   /// at once, for a gap law would brake it first. An overlap is taken back little by little.
   double normal_bias(const Approach<D>& approach, const ImpulseLaw& law, double opening, double closing_way) const {
     const auto& settings = scenery_.settings;
-    const double overlap = std::max(0.0, -approach.gap);
+    const double overlap = std::max(0.0, -approach.gap - settled_overlap * approach.radius);
     const double recovery =
         -settings.overlap_recovery * std::min(overlap, margin_of_radius * approach.radius) / settings.time_step;
     const bool impact = law.restitution > 0.0 && opening < 0.0 && closing_way >= approach.gap;
@@ -171,8 +176,15 @@ void renumber(const std::vector<std::uint32_t>& order, std::size_t grains_before
     c.first_turn = 2.0 - c.first_turn;
   }
   std::erase_if(contacts, [&](const auto& c) { return c.second == gone || c.first == gone; });
-  std::sort(contacts.begin(), contacts.end(),
-            [](const auto& a, const auto& b) { return std::tie(a.first, a.second) < std::tie(b.first, b.second); });
+  std::vector<std::uint32_t> sorted(contacts.size());
+  std::iota(sorted.begin(), sorted.end(), 0U);
+  std::sort(sorted.begin(), sorted.end(), [&](auto a, auto b) {
+    return std::tie(contacts[a].first, contacts[a].second) < std::tie(contacts[b].first, contacts[b].second);
+  });
+  std::vector<ContactLine<D>> in_order;
+  in_order.reserve(contacts.size());
+  for (const auto k : sorted) in_order.push_back(contacts[k]);
+  contacts.swap(in_order);
 }
 
 template void gather(const Scenery<2>&, const Grains<2>&, const PairList<2>&, const std::vector<ContactLine<2>>&,

@@ -45,6 +45,16 @@ REPOSE_FN Vec<3> project(const Vec<3>& impulse, double limit) {
   return size > limit ? impulse * (limit / size) : impulse;
 }
 
+/// The part of a change after which friction carries no more than it may; exact where it stays within the limit.
+REPOSE_FN double change_within(double impulse, double change, double limit) {
+  return std::min(std::max(change, -limit - impulse), limit - impulse);
+}
+REPOSE_FN Vec<3> change_within(const Vec<3>& impulse, const Vec<3>& change, double limit) {
+  const Vec<3> sum = impulse + change;
+  const double size = magnitude(sum);
+  return size > limit ? sum * (limit / size) - impulse : change;
+}
+
 /// The law of every two materials.
 class ImpulseLaws {
  public:

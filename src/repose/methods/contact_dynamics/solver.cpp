@@ -11,123 +11,214 @@ namespace repose::contact_dynamics {
 
 namespace {
 
-/// Solves one contact as if the others held still. Normal and tangential parts of a disc or sphere do not act on each
-/// other but through the friction limit; rolling comes after, from the turned bodies.
-template <bool Rolling, int D>
-REPOSE_FN void relax(ContactLine<D>& c, Body<D>& a, Body<D>& b) {
+template <int D>
+REPOSE_FN void relax_translation(ContactLine<D>& c, Body<D>& a, Body<D>& b, Impulse<D>& change) {
   auto& p = c.impulse;
   const double opening = opening_velocity(c, a, b) + c.normal_bias;
   const Tangent<D> slip = slip_velocity(c, a, b) + c.tangent_bias;
-  const double normal = std::max(0.0, p.normal - c.normal_mass * opening);
-  const Tangent<D> tangent = project(Tangent<D>(p.tangent - slip * c.tangent_mass), friction_limit(c.friction, normal));
-  push(c, normal - p.normal, Tangent<D>(tangent - p.tangent), a, b);
-  p.normal = normal;
-  p.tangent = tangent;
-  if constexpr (Rolling) {
-    const Spin<D> roll = project(Spin<D>(p.roll - roll_velocity(c, a, b) * c.roll_mass),
-                                 friction_limit(c.rolling_friction, normal));
-    turn(c, Spin<D>(roll - p.roll), a, b);
-    p.roll = roll;
-  }
-}
-
-template <bool Rolling, int D>
-void sweep_to_and_fro(Problem<D>& problem) {
-  auto* bodies = problem.bodies.data();
-  for (auto& c : problem.contacts) relax<Rolling>(c, bodies[c.first], bodies[c.second]);
-  for (auto c = problem.contacts.rbegin(); c != problem.contacts.rend(); ++c)
-    relax<Rolling>(*c, bodies[c->first], bodies[c->second]);
+  const double normal = std::max(-p.normal, -c.normal_mass * opening);
+  p.normal += normal;
+  const Tangent<D> tangent = change_within(p.tangent, Tangent<D>(slip * -c.tangent_mass),
+                                           friction_limit(c.friction, p.normal));
+  p.tangent += tangent;
+  push(c, normal, tangent, a, b);
+  change.normal += normal;
+  change.tangent += tangent;
 }
 
 template <int D>
-Body<D> difference(const Body<D>& a, const Body<D>& b) {
-  return {a.velocity - b.velocity, a.rim_velocity - b.rim_velocity, 0.0};
+REPOSE_FN void relax_roll(ContactLine<D>& c, Body<D>& a, Body<D>& b, Impulse<D>& change) {
+  auto& p = c.impulse;
+  const Spin<D> roll = change_within(p.roll, Spin<D>(roll_velocity(c, a, b) * -c.roll_mass),
+                                     friction_limit(c.rolling_friction, p.normal));
+  p.roll += roll;
+  turn(c, roll, a, b);
+  change.roll += roll;
+}
+
+/// Solves each contact as if the others held still, first to last and back, all in the mirrored order, so that the map
+/// is symmetric. Normal and tangential parts of a disc or sphere act on each other through the friction limit alone.
+/// Adds up what was changed: as the difference of the impulses it would drown in their rounding.
+template <bool Rolling, int D>
+void sweep_to_and_fro(Problem<D>& problem, std::vector<Impulse<D>>& changes) {
+  auto* bodies = problem.bodies.data();
+  const auto count = problem.contacts.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    auto& c = problem.contacts[k];
+    Impulse<D> change;
+    relax_translation(c, bodies[c.first], bodies[c.second], change);
+    if constexpr (Rolling) relax_roll(c, bodies[c.first], bodies[c.second], change);
+    changes[k] = change;
+  }
+  for (std::size_t k = count; k-- > 0;) {
+    auto& c = problem.contacts[k];
+    if constexpr (Rolling) relax_roll(c, bodies[c.first], bodies[c.second], changes[k]);
+    relax_translation(c, bodies[c.first], bodies[c.second], changes[k]);
+  }
 }
 
 }  // namespace
 
 template <int D>
-void Solver<D>::begin(const Problem<D>& problem) {
-  before_.clear();
-  for (const auto& c : problem.contacts) before_.push_back(c.impulse);
-  bodies_before_ = problem.bodies;
-  direction_.assign(problem.contacts.size(), {});
-  bodies_direction_.assign(problem.bodies.size(), {});
-  previous_squared_change_ = 0.0;
+void Point<D>::add(double share, const Point& other) {
+  for (std::size_t k = 0; k < impulses.size(); ++k) impulses[k] += other.impulses[k] * share;
+  for (std::size_t k = 0; k < motions.size(); ++k) {
+    motions[k].velocity += other.motions[k].velocity * share;
+    motions[k].rim_velocity += other.motions[k].rim_velocity * share;
+  }
 }
 
 template <int D>
-double Solver<D>::measure(const Problem<D>& problem) {
+void Point<D>::scale(double factor) {
+  for (auto& impulse : impulses) impulse = impulse * factor;
+  for (auto& motion : motions) {
+    motion.velocity *= factor;
+    motion.rim_velocity *= factor;
+  }
+}
+
+/// Twice the kinetic energy that the two have in common.
+template <int D>
+double Solver<D>::product(const Point<D>& a, const Point<D>& b) const {
   double sum = 0.0;
-  double worst = 0.0;
-  for (std::size_t k = 0; k < problem.contacts.size(); ++k) {
-    const auto& c = problem.contacts[k];
-    const auto change = c.impulse - before_[k];
-    sum += squared(change);
-    worst = std::max({worst, std::fabs(change.normal) / c.normal_mass, magnitude(change.tangent) / c.tangent_mass});
+  for (std::size_t k = 0; k < masses_.size(); ++k) {
+    const auto& u = a.motions[k];
+    const auto& v = b.motions[k];
+    sum += masses_[k] *
+           (dot(u.velocity, v.velocity) + inner(u.rim_velocity, v.rim_velocity) / inverse_inertia_factor<D>);
   }
-  squared_change_ = sum;
-  return worst;
+  return sum;
 }
 
-/// Goes on in the conjugate direction; starts anew from plain sweeps where they have come to change more than before.
 template <int D>
-void Solver<D>::extrapolate(Problem<D>& problem) {
-  const double ratio = previous_squared_change_ > 0.0 ? squared_change_ / previous_squared_change_ : 0.0;
-  const double share = ratio <= 1.0 ? ratio : 0.0;
-  previous_squared_change_ = squared_change_;
-  for (std::size_t k = 0; k < before_.size(); ++k) {
-    auto& now = problem.contacts[k].impulse;
-    const auto old_direction = direction_[k] * share;
-    direction_[k] = now - before_[k];
-    direction_[k] += old_direction;
-    now += old_direction;
-    before_[k] = now;
+void Solver<D>::begin(const Problem<D>& problem) {
+  const auto contacts = problem.contacts.size();
+  const auto bodies = problem.bodies.size();
+  masses_.clear();
+  base_.impulses.clear();
+  base_.motions.clear();
+  for (const auto& body : problem.bodies) {
+    masses_.push_back(body.inverse_mass > 0.0 ? 1.0 / body.inverse_mass : 0.0);
+    base_.motions.push_back({body.velocity, body.rim_velocity});
   }
-  for (std::size_t k = 0; k < bodies_before_.size(); ++k) {
-    auto& now = problem.bodies[k];
-    auto& direction = bodies_direction_[k];
-    const auto change = difference(now, bodies_before_[k]);
-    const Vec<D> old_velocity = direction.velocity * share;
-    const Spin<D> old_rim = direction.rim_velocity * share;
-    direction.velocity = change.velocity + old_velocity;
-    direction.rim_velocity = change.rim_velocity + old_rim;
-    now.velocity += old_velocity;
-    now.rim_velocity += old_rim;
-    bodies_before_[k] = now;
+  for (const auto& c : problem.contacts) base_.impulses.push_back(c.impulse);
+  foretold_.reset(contacts, bodies);
+  change_.reset(contacts, bodies);
+  remembered_ = 0;
+  foretold_square_ = 0.0;
+  next_look_ = 0;
+}
+
+/// How the last sweeps changed the velocities; they began where the change was foretold from.
+template <int D>
+void Solver<D>::take_change(const Problem<D>& problem) {
+  for (std::size_t k = 0; k < problem.bodies.size(); ++k) {
+    const auto& now = problem.bodies[k];
+    const auto& base = base_.motions[k];
+    const auto& foretold = foretold_.motions[k];
+    change_.motions[k].velocity = now.velocity - (base.velocity + foretold.velocity);
+    change_.motions[k].rim_velocity = now.rim_velocity - (base.rim_velocity + foretold.rim_velocity);
+  }
+}
+
+/// The true residual costs half a sweep: looked at only when the velocities hardly change, and ever less often.
+template <int D>
+bool Solver<D>::small_enough(const Problem<D>& problem, Solution& solution, double enough) {
+  double fastest = 0.0;
+  for (const auto& motion : change_.motions) {
+    fastest = std::max(fastest, squared(motion.velocity) + repose::squared(motion.rim_velocity));
+  }
+  const bool last = solution.sweeps >= settings_.most_sweeps;
+  if (!last && (fastest > enough * enough || solution.sweeps < next_look_)) return false;
+  solution.residual = residual(problem, scratch_).worst();
+  next_look_ = solution.sweeps + 2 + solution.sweeps / 16;
+  return last || solution.residual <= settings_.tolerance;
+}
+
+/// From what the last step changed against what was foretold: a base where the least change is to be expected.
+template <int D>
+void Solver<D>::combine() {
+  const double square = product(change_, change_);
+  if (!settings_.accelerated || !(square <= foretold_square_)) {
+    base_.add(1.0, foretold_);
+    std::swap(foretold_, change_);
+    foretold_square_ = square;
+    remembered_ = 0;
+    return;
+  }
+  const auto slot = (newest_ + 1) % image_.size();
+  auto& step = step_[slot];
+  auto& image = image_[slot];
+  step = foretold_;
+  image = foretold_;
+  image.add(-1.0, change_);
+  for (std::size_t back = 0; back < remembered_; ++back) {
+    const auto other = (newest_ + image_.size() - back) % image_.size();
+    const double along = product(image, image_[other]);
+    image.add(-along, image_[other]);
+    step.add(-along, step_[other]);
+  }
+  const double size = std::sqrt(product(image, image));
+  if (!(size > 1e-12 * std::sqrt(foretold_square_))) {
+    base_.add(1.0, foretold_);
+    std::swap(foretold_, change_);
+    foretold_square_ = square;
+    remembered_ = 0;
+    return;
+  }
+  step.scale(1.0 / size);
+  image.scale(1.0 / size);
+  const double along = product(foretold_, image);
+  base_.add(along, step);
+  foretold_.add(-along, image);
+  foretold_square_ = product(foretold_, foretold_);
+  newest_ = slot;
+  remembered_ = std::min(remembered_ + 1, most_remembered);
+}
+
+/// To where the foretold change leads.
+template <int D>
+void Solver<D>::go_on(Problem<D>& problem) const {
+  for (std::size_t k = 0; k < problem.contacts.size(); ++k) {
+    auto& impulse = problem.contacts[k].impulse;
+    impulse = base_.impulses[k];
+    impulse += foretold_.impulses[k];
+  }
+  for (std::size_t k = 0; k < problem.bodies.size(); ++k) {
+    auto& body = problem.bodies[k];
+    body.velocity = base_.motions[k].velocity + foretold_.motions[k].velocity;
+    body.rim_velocity = base_.motions[k].rim_velocity + foretold_.motions[k].rim_velocity;
   }
 }
 
 template <int D>
 Solution Solver<D>::solve(Problem<D>& problem) {
   Solution solution;
-  add_impulses(problem.free, problem.contacts, problem.bodies);
-  const double enough = settings_.tolerance * velocity_scale(problem);
-  begin(problem);
-  solution.residual = problem.contacts.empty() ? 0.0 : residual(problem, scratch_).worst();
-  while (!(solution.residual <= settings_.tolerance) && solution.sweeps < settings_.most_sweeps) {
-    if (problem.rolling)
-      sweep_to_and_fro<true>(problem);
-    else
-      sweep_to_and_fro<false>(problem);
-    ++solution.sweeps;
-    const double change = measure(problem);
-    // The true residual costs half a sweep: looked at when it may be small enough, or at the end.
-    if (change <= enough || solution.sweeps == settings_.most_sweeps) {
-      solution.residual = residual(problem, scratch_).worst();
-      if (solution.residual <= settings_.tolerance || solution.sweeps == settings_.most_sweeps) break;
+  problem.bodies = problem.free;
+  if (problem.contacts.empty()) return solution;
+  solution.residual = residual(problem, problem.bodies).worst();
+  if (!(solution.residual <= settings_.tolerance) && settings_.most_sweeps > 0) {
+    const double enough = settings_.tolerance * velocity_scale(problem);
+    begin(problem);
+    for (;;) {
+      if (problem.rolling)
+        sweep_to_and_fro<true>(problem, change_.impulses);
+      else
+        sweep_to_and_fro<false>(problem, change_.impulses);
+      ++solution.sweeps;
+      take_change(problem);
+      if (small_enough(problem, solution, enough)) break;
+      combine();
+      go_on(problem);
     }
-    if (settings_.accelerated) {
-      extrapolate(problem);
-    } else {
-      for (std::size_t k = 0; k < before_.size(); ++k) before_[k] = problem.contacts[k].impulse;
-    }
+    add_impulses(problem.free, problem.contacts, problem.bodies);
   }
-  if (!problem.contacts.empty()) add_impulses(problem.free, problem.contacts, problem.bodies);
   solution.converged = solution.residual <= settings_.tolerance;
   return solution;
 }
 
+template struct Point<2>;
+template struct Point<3>;
 template class Solver<2>;
 template class Solver<3>;
 
