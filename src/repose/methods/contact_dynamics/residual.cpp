@@ -3,6 +3,7 @@
 #include "repose/methods/contact_dynamics/residual.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace repose::contact_dynamics {
 
@@ -21,8 +22,10 @@ template <int D>
 Residual residual(const Problem<D>& problem, std::vector<Body<D>>& bodies) {
   add_impulses(problem.free, problem.contacts, bodies);
   Residual worst;
-  // Written so that what is not a number counts as worst of all.
-  const auto take = [](double& largest, double value) { largest = value <= largest ? largest : value; };
+  // What is not a number counts as worst of all.
+  const auto take = [](double& largest, double value) {
+    if (!(value <= largest)) largest = std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
+  };
   for (const auto& c : problem.contacts) {
     const auto& a = bodies[c.first];
     const auto& b = bodies[c.second];
