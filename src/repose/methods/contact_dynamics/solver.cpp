@@ -3,6 +3,7 @@
 #include "repose/methods/contact_dynamics/solver.hpp"
 
 #include "repose/methods/contact_dynamics/residual.hpp"
+#include "repose/methods/contact_dynamics/self_stress.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,12 @@
 namespace repose::contact_dynamics {
 
 namespace {
+
+/// Whether impulses drift is looked at now and then. They do where their change makes next to no velocities, far less
+/// than in the slowest motion of a long chain, which is a matter for conjugate residuals; a leap is to be worth it.
+constexpr long sweeps_per_look = 4;
+constexpr double drift_over_velocity = 1e4;
+constexpr double shortest_leap = 8.0;
 
 template <int D>
 REPOSE_FN void relax_translation(ContactLine<D>& c, Body<D>& a, Body<D>& b, Impulse<D>& change) {
@@ -135,15 +142,35 @@ bool Solver<D>::small_enough(const Problem<D>& problem, Solution& solution, doub
   return last || solution.residual <= settings_.tolerance;
 }
 
+/// From where the last sweeps ended, without what is remembered.
+template <int D>
+void Solver<D>::start_anew(double square) {
+  base_.add(1.0, foretold_);
+  std::swap(foretold_, change_);
+  foretold_square_ = square;
+  remembered_ = 0;
+}
+
+/// Leaps over a drift to the first contact that ends it, but only so far that the velocities which the change makes
+/// nevertheless do not outgrow it. False where there is no drift.
+template <int D>
+bool Solver<D>::leap(const Problem<D>& problem) {
+  const double square = product(change_, change_);
+  const double apart = energy_apart(problem.contacts, change_.impulses);
+  if (!(apart > drift_over_velocity * drift_over_velocity * square)) return false;
+  const double room = std::min(room_along(problem.contacts, change_.impulses), std::sqrt(apart / square));
+  if (!(room > shortest_leap) || !std::isfinite(room)) return false;
+  start_anew(square);
+  base_.add(room, foretold_);
+  return true;
+}
+
 /// From what the last step changed against what was foretold: a base where the least change is to be expected.
 template <int D>
 void Solver<D>::combine() {
   const double square = product(change_, change_);
-  if (!settings_.accelerated || !(square <= foretold_square_)) {
-    base_.add(1.0, foretold_);
-    std::swap(foretold_, change_);
-    foretold_square_ = square;
-    remembered_ = 0;
+  if (!settings_.accelerated || !(square <= foretold_square_))   {
+    start_anew(square);
     return;
   }
   const auto slot = (newest_ + 1) % image_.size();
@@ -159,11 +186,8 @@ void Solver<D>::combine() {
     step.add(-along, step_[other]);
   }
   const double size = std::sqrt(product(image, image));
-  if (!(size > 1e-12 * std::sqrt(foretold_square_))) {
-    base_.add(1.0, foretold_);
-    std::swap(foretold_, change_);
-    foretold_square_ = square;
-    remembered_ = 0;
+  if (!(size > 1e-12 * std::sqrt(foretold_square_)))   {
+    start_anew(square);
     return;
   }
   step.scale(1.0 / size);
@@ -208,7 +232,7 @@ Solution Solver<D>::solve(Problem<D>& problem) {
       ++solution.sweeps;
       take_change(problem);
       if (small_enough(problem, solution, enough)) break;
-      combine();
+      if (!settings_.accelerated || solution.sweeps % sweeps_per_look != 0 || !leap(problem)) combine();
       go_on(problem);
     }
     add_impulses(problem.free, problem.contacts, problem.bodies);

@@ -50,6 +50,9 @@ struct Point {
 /// residual of a linear system. So steps and the changes that they made are remembered and combined to the smallest
 /// change (conjugate residuals, truncated), in the measure of kinetic energy, in which the map is symmetric where no
 /// contact slides. A sweep that changes more than foretold shows another set of contacts at work: then it starts anew.
+///
+/// A packing has more contacts than its grains can obey. Then sweeps end in a drift: the same change again and again, a
+/// self-stress without velocities, until a contact opens or slides and the rest can be obeyed. The drift is leapt over.
 template <int D>
 class Solver {
  public:
@@ -62,6 +65,8 @@ class Solver {
   void take_change(const Problem<D>& problem);
   bool small_enough(const Problem<D>& problem, Solution& solution, double enough);
   void combine();
+  void start_anew(double square);
+  bool leap(const Problem<D>& problem);
   void go_on(Problem<D>& problem) const;
   double product(const Point<D>& a, const Point<D>& b) const;
 
