@@ -19,8 +19,7 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 template <int D>
 class RigidWorld {
  public:
-  RigidWorld(const ImpulseLaw& law, const ContactDynamicsSettings<D>& settings)
-      : method(ImpulseLaws(law), settings) {}
+  RigidWorld(const ImpulseLaw& law, const ContactDynamicsSettings<D>& settings) : method(ImpulseLaws(law), settings) {}
 
   std::int64_t add(Vec<D> position, Vec<D> velocity = {}, Spin<D> spin = {}, double radius = 0.5, bool fixed = false) {
     Grain<D> grain;
@@ -66,7 +65,8 @@ class RigidWorld {
   ContactDynamics<D> method;
 };
 
-inline ContactDynamicsSettings<2> rigid_2d(double time_step, double gravity, double tolerance = contact_dynamics::SolverSettings{}.tolerance) {
+inline ContactDynamicsSettings<2> rigid_2d(double time_step, double gravity,
+                                           double tolerance = contact_dynamics::SolverSettings{}.tolerance) {
   ContactDynamicsSettings<2> settings;
   settings.time_step = time_step;
   settings.gravity = Vec<2>{{0.0, -gravity}};
@@ -84,8 +84,7 @@ inline Wall<2> plane(Vec<2> point, Vec<2> normal) {
 
 /// Floor at height 0 and two walls.
 inline std::vector<Wall<2>> open_box(double width) {
-  return {plane({{0.0, 0.0}}, {{0.0, 1.0}}), plane({{0.0, 0.0}}, {{1.0, 0.0}}),
-          plane({{width, 0.0}}, {{-1.0, 0.0}})};
+  return {plane({{0.0, 0.0}}, {{0.0, 1.0}}), plane({{0.0, 0.0}}, {{1.0, 0.0}}), plane({{width, 0.0}}, {{-1.0, 0.0}})};
 }
 
 }  // namespace repose::testing

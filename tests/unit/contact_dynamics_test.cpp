@@ -74,8 +74,8 @@ TEST(ContactDynamics, SpheresBounceByTheSameText) {
   EXPECT_NEAR(world[a].velocity[0] - world[b].velocity[0], -0.5, 1e-12);
   // Sticking: T = m_t v_t with 1/m_t = 2 (1 + 5/2), and no slip is left.
   EXPECT_NEAR(world[a].velocity[2], 0.7 - 0.7 / 7.0, 1e-12);
-  EXPECT_NEAR(world[a].velocity[2] - world[b].velocity[2], -(world[a].rim_velocity[1] + world[b].rim_velocity[1]) * -1.0,
-              1e-12);
+  EXPECT_NEAR(world[a].velocity[2] - world[b].velocity[2],
+              -(world[a].rim_velocity[1] + world[b].rim_velocity[1]) * -1.0, 1e-12);
 }
 
 // vbar_t = v_t+ + e_t v_t- = 0 while |T| <= mu R; else T = mu R against the slip. 1/m_t = 6 for equal discs of mass 1.

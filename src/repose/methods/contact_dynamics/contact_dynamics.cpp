@@ -231,9 +231,9 @@ void ContactDynamics<D>::set_histories(const Grains<D>& grains, const Contacts<D
     if (first == place.end() || (contact.second >= 0 && second == place.end())) continue;
     contact_dynamics::ContactLine<D> line;
     line.first = first->second;
-    line.second = contact.second >= 0 ? second->second
-                                      : static_cast<std::uint32_t>(static_cast<std::int64_t>(grains.size()) - 1 -
-                                                                   contact.second);
+    line.second = contact.second >= 0
+                      ? second->second
+                      : static_cast<std::uint32_t>(static_cast<std::int64_t>(grains.size()) - 1 - contact.second);
     line.impulse.normal = contact.normal_force * settings_.time_step;
     line.impulse.tangent = contact.tangential_force * settings_.time_step;
     problem_.contacts.push_back(line);

@@ -115,8 +115,9 @@ void set_masses(ContactLine<D>& c, double first_inverse_mass, double second_inve
   const double second_turn = 2.0 - c.first_turn;
   c.normal_mass = 1.0 / (first_inverse_mass + second_inverse_mass);
   c.tangent_mass = c.normal_mass / (1.0 + factor * c.lever * c.lever);
-  c.roll_mass = 1.0 / (factor * (c.first_turn * c.first_turn * first_inverse_mass +
-                                 second_turn * second_turn * second_inverse_mass));
+  c.roll_mass =
+      1.0 /
+      (factor * (c.first_turn * c.first_turn * first_inverse_mass + second_turn * second_turn * second_inverse_mass));
 }
 
 /// All contacts of one step, with the velocities that there would be without them.

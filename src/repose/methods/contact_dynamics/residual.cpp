@@ -34,9 +34,9 @@ Residual residual(const Problem<D>& problem, std::vector<Body<D>>& bodies) {
     const Spin<D> roll = roll_velocity(c, a, b);
     const auto& p = c.impulse;
     const double normal = std::max(0.0, p.normal - c.normal_mass * opening);
-    const Tangent<D> tangent = project(Tangent<D>(p.tangent - slip * c.tangent_mass), friction_limit(c.friction, p.normal));
-    const Spin<D> turning =
-        project(Spin<D>(p.roll - roll * c.roll_mass), friction_limit(c.rolling_friction, p.normal));
+    const Tangent<D> tangent =
+        project(Tangent<D>(p.tangent - slip * c.tangent_mass), friction_limit(c.friction, p.normal));
+    const Spin<D> turning = project(Spin<D>(p.roll - roll * c.roll_mass), friction_limit(c.rolling_friction, p.normal));
     take(worst.normal, std::fabs(p.normal - normal) / c.normal_mass);
     take(worst.tangential, magnitude(Tangent<D>(p.tangent - tangent)) / c.tangent_mass);
     take(worst.rolling, magnitude(Spin<D>(p.roll - turning)) / c.roll_mass);

@@ -25,8 +25,8 @@ REPOSE_FN void relax_translation(ContactLine<D>& c, Body<D>& a, Body<D>& b, Impu
   const Tangent<D> slip = slip_velocity(c, a, b) + c.tangent_bias;
   const double normal = std::max(-p.normal, -c.normal_mass * opening);
   p.normal += normal;
-  const Tangent<D> tangent = change_within(p.tangent, Tangent<D>(slip * -c.tangent_mass),
-                                           friction_limit(c.friction, p.normal));
+  const Tangent<D> tangent =
+      change_within(p.tangent, Tangent<D>(slip * -c.tangent_mass), friction_limit(c.friction, p.normal));
   p.tangent += tangent;
   push(c, normal, tangent, a, b);
   change.normal += normal;
@@ -91,8 +91,8 @@ double Solver<D>::product(const Point<D>& a, const Point<D>& b) const {
   for (std::size_t k = 0; k < masses_.size(); ++k) {
     const auto& u = a.motions[k];
     const auto& v = b.motions[k];
-    sum += masses_[k] *
-           (dot(u.velocity, v.velocity) + inner(u.rim_velocity, v.rim_velocity) / inverse_inertia_factor<D>);
+    sum +=
+        masses_[k] * (dot(u.velocity, v.velocity) + inner(u.rim_velocity, v.rim_velocity) / inverse_inertia_factor<D>);
   }
   return sum;
 }
@@ -169,7 +169,7 @@ bool Solver<D>::leap(const Problem<D>& problem) {
 template <int D>
 void Solver<D>::combine() {
   const double square = product(change_, change_);
-  if (!settings_.accelerated || !(square <= foretold_square_))   {
+  if (!settings_.accelerated || !(square <= foretold_square_)) {
     start_anew(square);
     return;
   }
@@ -186,7 +186,7 @@ void Solver<D>::combine() {
     step.add(-along, step_[other]);
   }
   const double size = std::sqrt(product(image, image));
-  if (!(size > 1e-12 * std::sqrt(foretold_square_)))   {
+  if (!(size > 1e-12 * std::sqrt(foretold_square_))) {
     start_anew(square);
     return;
   }

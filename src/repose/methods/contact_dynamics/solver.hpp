@@ -11,7 +11,7 @@
 namespace repose::contact_dynamics {
 
 struct SolverSettings {
-  /// Of Residual::worst: velocities over gravity times time step. A leaning chain creeps at 1e-4 of plain sweeps.
+  /// Of Residual::worst: velocities over gravity times time step.
   double tolerance = 1e-6;
   long most_sweeps = 2000;  ///< forward and backward sweeps at most
   bool accelerated = true;  ///< conjugate residuals; else sweeps alone
@@ -74,10 +74,10 @@ class Solver {
   static constexpr std::size_t most_remembered = 2;
 
   SolverSettings settings_;
-  std::vector<double> masses_;  // of the bodies; 0: nothing moves it
-  Point<D> base_;               // where the next change is foretold
-  Point<D> foretold_;           // that change
-  Point<D> change_;             // of the last sweeps
+  std::vector<double> masses_;                       // of the bodies; 0: nothing moves it
+  Point<D> base_;                                    // where the next change is foretold
+  Point<D> foretold_;                                // that change
+  Point<D> change_;                                  // of the last sweeps
   std::array<Point<D>, most_remembered + 1> step_;   // made so that their images are orthonormal
   std::array<Point<D>, most_remembered + 1> image_;  // by how much a step reduces the change
   std::size_t remembered_ = 0;
