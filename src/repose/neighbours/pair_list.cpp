@@ -240,11 +240,11 @@ std::vector<std::uint32_t> PairList<D>::build(Grains<D>& grains, const Box<D>& b
 }
 
 template <int D>
-bool PairList<D>::stale(const Grains<D>& grains, double other_way) {
+bool PairList<D>::stale(const Grains<D>& grains, double other_way, double ahead) {
   if (!valid_) return true;
   double least = 0.5 * reach_.skin - other_way;
   for (std::size_t k = 0; k < grains.size(); ++k) {
-    const Vec<D> d = grains.line[k].position - built_at_[k];
+    const Vec<D> d = grains.line[k].position + grains.line[k].velocity * ahead - built_at_[k];
     least = std::min(least, allowance_[k] - std::sqrt(dot(d, d)));
   }
   // With next to nothing left, the next look would come at once.

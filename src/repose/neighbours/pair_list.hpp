@@ -49,8 +49,9 @@ class PairList {
   bool suspect() const { return !valid_ || travelled_ > slack_; }
 
   /// Looks at the true displacements: whether the list must be built again before the next forces. Anything else that
-  /// moves, as a wall does, has gone `other_way` [L] since the list was built.
-  bool stale(const Grains<D>& grains, double other_way = 0.0);
+  /// moves, as a wall does, has gone `other_way` [L] since the list was built. With a time `ahead` [T], places are
+  /// those that velocities will have brought about by then: for a method that must know whom a step may bring together.
+  bool stale(const Grains<D>& grains, double other_way = 0.0, double ahead = 0.0);
 
   /// How far a grain may go from where it was when the list was built [L]: half the skin, more for fast ones.
   double allowance(std::size_t i) const { return allowance_[i]; }

@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/methods/contact_dynamics/contact_dynamics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace repose {
+
+namespace {
+
+/// Fast grains list what they can meet in this many steps.
+constexpr double look_ahead_steps = 16.0;
+
+/// Contacts are looked for within 0.05 of the roll radius, which is at most half the sum of the radii, and within what
+/// grains may fall.
+constexpr double cutoff = 1.0 + 0.5 * 0.05;
+
+template <int D>
+PairReach reach_of(const ContactDynamicsSettings<D>& settings) {
+  const double dt = settings.time_step;
+  const double gravity = magnitude(settings.gravity);
+  return {cutoff, settings.skin + 2.5 * gravity * dt * dt, look_ahead_steps * dt, gravity, false};
+}
+
+}  // namespace
+
+template <int D>
+ContactDynamics<D>::ContactDynamics(ImpulseLaws laws, ContactDynamicsSettings<D> settings)
+    : laws_(std::move(laws)),
+      settings_(std::move(settings)),
+      pairs_(reach_of(settings_)),
+      solver_(settings_.solver),
+      walls_(settings_.walls.size()),
+      wall_impulses_(settings_.walls.size()) {
+  REPOSE_ASSERT(settings_.time_step > 0.0);
+  for (const auto& wall : settings_.walls) {
+    if (wall.motion.feels_grains()) throw InputError("contact-dynamics: walls that feel the grains are not known yet");
+  }
+  problem_.velocity_scale = magnitude(settings_.gravity) * settings_.time_step;
+}
+
+template <int D>
+bool ContactDynamics<D>::step(Grains<D>& grains, Team& team) {
+  refresh_pairs(grains, team);
+  set_free_velocities(grains);
+  find_contacts(grains);
+  solve();
+  hand_over_reactions(grains);
+  return move(grains);
+}
+
+template <int D>
+StepReport ContactDynamics<D>::advance(Grains<D>& grains, long steps, Team& team) {
+  StepReport report;
+  while (report.steps < steps && !report.trouble) {
+    report.trouble = !step(grains, team);
+    ++report.steps;
+  }
+  return report;
+}
+
+/// The list must hold until the end of the step: grains may meet then that are far apart now.
+template <int D>
+void ContactDynamics<D>::refresh_pairs(Grains<D>& grains, Team& team) {
+  const double dt = settings_.time_step;
+  double fastest2 = 0.0;
+  for (const auto& grain : grains.line) fastest2 = std::max(fastest2, squared(grain.velocity));
+  double wall_way = 0.0;
+  for (std::size_t w = 0; w < walls_at_build_.size(); ++w) {
+    const double gone = std::fabs(walls_[w].displacement - walls_at_build_[w].displacement);
+    wall_way = std::max(wall_way, gone + dt * std::fabs(walls_[w].speed));
+  }
+  pairs_.moved(dt * std::sqrt(fastest2));
+  if (pairs_.suspect() && pairs_.stale(grains, wall_way, dt)) build_pairs(grains, team);
+}
+
+template <int D>
+void ContactDynamics<D>::build_pairs(Grains<D>& grains, Team& team) {
+  const auto order = pairs_.build(grains, settings_.box, team);
+  contact_dynamics::renumber(order, known_, problem_.contacts);
+  known_ = grains.size();
+  walls_at_build_ = walls_;
+}
+
+template <int D>
+void ContactDynamics<D>::set_free_velocities(const Grains<D>& grains) {
+  // The first kick is half a step, from velocities at the time of the positions.
+  const double kick = step_ > 0 ? settings_.time_step : 0.5 * settings_.time_step;
+  problem_.free.clear();
+  for (const auto& grain : grains.line) {
+    problem_.free.push_back({grain.velocity, grain.rim_velocity, grain.inverse_mass});
+    if (!grain.fixed()) problem_.free.back().velocity += settings_.gravity * kick;
+  }
+  for (const auto& load : loads_) {
+    const auto found = std::find(grains.id.begin(), grains.id.end(), load.grain);
+    if (found == grains.id.end()) continue;
+    auto& body = problem_.free[static_cast<std::size_t>(found - grains.id.begin())];
+    body.velocity += load.force * (kick * body.inverse_mass);
+  }
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    move_wall(settings_.walls[w].motion, walls_[w], now(), kick, 0.0, Vec<D>{});
+    problem_.free.push_back({settings_.walls[w].motion.direction * walls_[w].speed, Spin<D>{}, 0.0});
+  }
+}
+
+template <int D>
+void ContactDynamics<D>::find_contacts(const Grains<D>& grains) {
+  std::swap(before_, problem_.contacts);
+  const auto walls = walls_now();
+  contact_dynamics::gather<D>({laws_, settings_, walls}, grains, pairs_, before_, problem_);
+}
+
+template <int D>
+void ContactDynamics<D>::solve() {
+  solution_ = solver_.solve(problem_);
+  ++account_.steps;
+  account_.sweeps += solution_.sweeps;
+  account_.contact_iterations += 2 * solution_.sweeps * static_cast<long>(problem_.contacts.size());
+  account_.unconverged += solution_.converged ? 0 : 1;
+  account_.worst_residual = std::max(account_.worst_residual, solution_.residual);
+}
+
+/// What fixed grains and walls took up.
+template <int D>
+void ContactDynamics<D>::hand_over_reactions(Grains<D>& grains) {
+  for (const auto& c : problem_.contacts) {
+    const Vec<D> impulse = c.normal * c.impulse.normal + in_space(c.impulse.tangent, c.normal);
+    if (problem_.free[c.first].inverse_mass == 0.0) grains.reaction[c.first] += impulse;
+    if (problem_.free[c.second].inverse_mass != 0.0) continue;
+    if (c.second < grains.size()) {
+      grains.reaction[c.second] -= impulse;
+    } else {
+      const auto w = c.second - grains.size();
+      wall_impulses_[w] -= impulse;
+      walls_[w].work += dot(impulse, problem_.free[c.second].velocity);
+    }
+  }
+}
+
+/// False where a grain is faster than its radius in a step, or not a number.
+template <int D>
+bool ContactDynamics<D>::move(Grains<D>& grains) {
+  const double dt = settings_.time_step;
+  bool fine = true;
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    auto& grain = grains.line[i];
+    if (grain.fixed()) continue;
+    grain.velocity = problem_.bodies[i].velocity;
+    grain.rim_velocity = problem_.bodies[i].rim_velocity;
+    grain.position += grain.velocity * dt;
+    const double way = magnitude(grain.velocity) * dt;
+    fine &= way <= grain.radius && std::isfinite(magnitude(grain.rim_velocity));
+  }
+  for (auto& wall : walls_) wall.displacement += wall.speed * dt;
+  ++step_;
+  return fine;
+}
+
+template <int D>
+std::vector<WallNow<D>> ContactDynamics<D>::walls_now() const {
+  std::vector<WallNow<D>> all;
+  for (std::size_t w = 0; w < walls_.size(); ++w) all.push_back(wall_now(settings_.walls[w], walls_[w], now()));
+  return all;
+}
+
+template <int D>
+void ContactDynamics<D>::grains_added(Grains<D>&) {
+  pairs_.invalidate();
+}
+
+template <int D>
+void ContactDynamics<D>::refresh(Grains<D>& grains, Team& team) {
+  pairs_.invalidate();
+  build_pairs(grains, team);
+}
+
+template <int D>
+Contacts<D> ContactDynamics<D>::contacts(const Grains<D>& grains) const {
+  Contacts<D> contacts;
+  const double rate = 1.0 / settings_.time_step;
+  const auto walls = walls_now();
+  for (const auto& c : problem_.contacts) {
+    if (!(c.impulse.normal > 0.0) || c.first >= grains.size()) continue;
+    const bool with_wall = c.second >= known_;
+    const bool swap = !with_wall && grains.id[c.second] < grains.id[c.first];
+    const auto& first = grains.line[swap ? c.second : c.first];
+    Contact<D> contact;
+    contact.first = swap ? grains.id[c.second] : grains.id[c.first];
+    contact.first_lever = c.lever * first.radius;
+    if (with_wall) {
+      const auto w = c.second - known_;
+      const auto& wall = settings_.walls[w];
+      const Vec<D> from_point = wall.finite() ? separation(first.position, walls[w].point, settings_.box)
+                                              : Vec<D>(first.position - walls[w].point);
+      const auto place = above(wall, from_point);
+      contact.second = plane_partner(static_cast<std::int64_t>(w));
+      contact.normal = place.normal;
+      contact.overlap = (wall.smooth ? 2.0 : 1.0) * first.radius - place.height;
+      contact.relative_overlap = contact.overlap / (2.0 * first.radius);
+    } else {
+      const auto& second = grains.line[swap ? c.first : c.second];
+      const Vec<D> d = separation(first.position, second.position, settings_.box);
+      const double distance = magnitude(d);
+      contact.second = swap ? grains.id[c.first] : grains.id[c.second];
+      contact.normal = d * (1.0 / distance);
+      contact.overlap = first.radius + second.radius - distance;
+      contact.relative_overlap = contact.overlap / (first.radius + second.radius);
+    }
+    const double limit = friction_limit(c.friction, c.impulse.normal);
+    contact.normal_force = c.impulse.normal * rate;
+    contact.tangential_force = (swap ? swapped(c.impulse.tangent) : c.impulse.tangent) * rate;
+    contact.sliding = limit > 0.0 && magnitude(c.impulse.tangent) >= limit * (1.0 - 1e-9);
+    contacts.list.push_back(contact);
+  }
+  contacts.sort();
+  return contacts;
+}
+
+template <int D>
+void ContactDynamics<D>::set_histories(const Grains<D>& grains, const Contacts<D>& contacts) {
+  std::map<std::int64_t, std::uint32_t> place;
+  for (std::uint32_t k = 0; k < grains.size(); ++k) place[grains.id[k]] = k;
+  problem_.contacts.clear();
+  for (const auto& contact : contacts.list) {
+    const auto first = place.find(contact.first);
+    const auto second = place.find(contact.second);
+    if (first == place.end() || (contact.second >= 0 && second == place.end())) continue;
+    contact_dynamics::ContactLine<D> line;
+    line.first = first->second;
+    line.second = contact.second >= 0
+                      ? second->second
+                      : static_cast<std::uint32_t>(static_cast<std::int64_t>(grains.size()) - 1 - contact.second);
+    line.impulse.normal = contact.normal_force * settings_.time_step;
+    line.impulse.tangent = contact.tangential_force * settings_.time_step;
+    problem_.contacts.push_back(line);
+  }
+  // Sorts, and turns round what is listed the other way.
+  std::vector<std::uint32_t> same(grains.size());
+  for (std::uint32_t k = 0; k < grains.size(); ++k) same[k] = k;
+  contact_dynamics::renumber(same, grains.size(), problem_.contacts);
+}
+
+template <int D>
+std::vector<Vec<D>> ContactDynamics<D>::taken_wall_impulses() {
+  return std::exchange(wall_impulses_, std::vector<Vec<D>>(walls_.size()));
+}
+
+template <int D>
+void ContactDynamics<D>::exchange(Archive& archive) {
+  archive.value("step", step_);
+  archive.value("known", known_);
+  archive.array("walls/state", walls_);
+  archive.array("walls/at_build", walls_at_build_);
+  archive.array("walls/impulse", wall_impulses_);
+  archive.array("loads/list", loads_);
+  archive.array("contacts", problem_.contacts);
+  archive.value("solver/account", account_);
+  archive.value("solver/last", solution_);
+  pairs_.exchange(archive);
+  for (const auto& c : problem_.contacts) {
+    archive.check("contacts", c.first < known_ && c.second < known_ + walls_.size() && c.first < c.second);
+  }
+}
+
+template class ContactDynamics<2>;
+template class ContactDynamics<3>;
+
+}  // namespace repose

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/methods/contact_dynamics/gather.hpp"
+#include "repose/methods/contact_dynamics/impulse_law.hpp"
+#include "repose/methods/contact_dynamics/settings.hpp"
+#include "repose/methods/contact_dynamics/solver.hpp"
+#include "repose/methods/method.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace repose {
+
+/// What the solver did since the start. Steps that are not converged are no error, but they are counted: see the
+/// creep of unconverged packings in docs/physics/contact_dynamics.md.
+struct SolverAccount {
+  long steps = 0;
+  long sweeps = 0;              ///< forward and backward
+  long contact_iterations = 0;  ///< contacts visited by sweeps, each way counted
+  long unconverged = 0;         ///< steps that reached the cap
+  double worst_residual = 0.0;  ///< of all steps
+};
+
+/// Contact dynamics: rigid grains whose contacts obey Signorini's condition, Coulomb's law and rolling friction at the
+/// end of each step, by implicit time stepping. Velocities are those half a step before the positions.
+/// Source: Moreau (1988), Jean (1999); Bratberg (2003), 4.6-4.8, as corrected in docs/physics/contact_dynamics.md.
+template <int D>
+class ContactDynamics final : public Method<D> {
+ public:
+  ContactDynamics(ImpulseLaws laws, ContactDynamicsSettings<D> settings);
+
+  StepReport advance(Grains<D>& grains, long steps, Team& team) override;
+  void grains_added(Grains<D>& grains) override;
+  void refresh(Grains<D>& grains, Team& team) override;
+  Contacts<D> contacts(const Grains<D>& grains) const override;
+  double time_step() const override { return settings_.time_step; }
+  void set_loads(const std::vector<Load<D>>& loads) override { loads_ = loads; }
+  /// Contacts start from the impulses that go with these forces.
+  void set_histories(const Grains<D>& grains, const Contacts<D>& contacts) override;
+  const std::vector<WallState>& walls() const override { return walls_; }
+  std::vector<Vec<D>> taken_wall_impulses() override;
+  void exchange(Archive& archive) override;
+  void restored(const Grains<D>&, const Team&) override {}
+  /// Keeps none.
+  Energy energy(const Grains<D>&) const override { return {}; }
+
+  const SolverAccount& account() const { return account_; }
+  /// Of the last step.
+  const contact_dynamics::Solution& solution() const { return solution_; }
+  /// Of the last step, with the impulses.
+  const contact_dynamics::Problem<D>& problem() const { return problem_; }
+
+ private:
+  bool step(Grains<D>& grains, Team& team);
+  void refresh_pairs(Grains<D>& grains, Team& team);
+  void build_pairs(Grains<D>& grains, Team& team);
+  void set_free_velocities(const Grains<D>& grains);
+  void find_contacts(const Grains<D>& grains);
+  void solve();
+  bool move(Grains<D>& grains);
+  void hand_over_reactions(Grains<D>& grains);
+  std::vector<WallNow<D>> walls_now() const;
+  double now() const { return static_cast<double>(step_) * settings_.time_step; }
+
+  ImpulseLaws laws_;
+  ContactDynamicsSettings<D> settings_;
+  PairList<D> pairs_;
+  contact_dynamics::Problem<D> problem_;
+  contact_dynamics::Solver<D> solver_;
+  std::vector<contact_dynamics::ContactLine<D>> before_;  // contacts of the step before: their impulses are the start
+  std::size_t known_ = 0;                                 // grains when bodies were last numbered
+  long step_ = 0;
+  std::vector<WallState> walls_;
+  std::vector<WallState> walls_at_build_;
+  std::vector<Vec<D>> wall_impulses_;
+  std::vector<Load<D>> loads_;
+  contact_dynamics::Solution solution_;
+  SolverAccount account_;
+};
+
+template <int D>
+std::unique_ptr<Method<D>> make_contact_dynamics(const ImpulseLaws& laws, const ContactDynamicsSettings<D>& settings) {
+  return std::make_unique<ContactDynamics<D>>(laws, settings);
+}
+
+}  // namespace repose

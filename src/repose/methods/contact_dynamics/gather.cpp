@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/methods/contact_dynamics/gather.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <tuple>
+
+namespace repose::contact_dynamics {
+
+namespace {
+
+/// How near two bodies must come, at the start or freely until the end of a step, to be in contact: a share of the
+/// radius, so that all collisions of a step are solved together, and what gravity may add.
+constexpr double margin_of_radius = 0.05;
+constexpr double margin_of_fall = 2.5;
+
+/// Overlap over radius that is left alone. A packing at rest has more contacts than the motions of its grains can obey:
+/// if every overlap of rounding size asked to be taken back, no impulses could satisfy all, and the solver would drift.
+constexpr double settled_overlap = 1e-3;
+
+/// Two bodies side by side.
+template <int D>
+struct Approach {
+  Vec<D> normal{};
+  double gap = 0.0;     ///< [L]
+  double radius = 0.0;  ///< [L] roll radius
+};
+
+template <int D>
+class Gathering {
+ public:
+  Gathering(const Scenery<D>& scenery, const Grains<D>& grains, const std::vector<ContactLine<D>>& before,
+            Problem<D>& problem)
+      : scenery_(scenery), grains_(grains), old_(before.begin()), old_end_(before.end()), problem_(problem) {
+    const double dt = scenery.settings.time_step;
+    fall_ = margin_of_fall * magnitude(scenery.settings.gravity) * dt * dt;
+  }
+
+  void grain(std::uint32_t i, std::uint32_t j) {
+    const auto& a = grains_.line[i];
+    const auto& b = grains_.line[j];
+    const Vec<D> d = separation(a.position, b.position, scenery_.settings.box);
+    const double radii = a.radius + b.radius;
+    const double distance2 = squared(d);
+    // Most listed pairs are far apart: no root for them.
+    const double widest = radii + 0.5 * margin_of_radius * radii + fall_ + way_ahead(i, j);
+    if (distance2 >= widest * widest) return;
+    const double distance = std::sqrt(distance2);
+    const Approach<D> approach{d * (1.0 / distance), distance - radii, 2.0 * a.radius * b.radius / radii};
+    if (!meets(approach, i, j)) return;
+    auto line = begin_line(approach, i, j);
+    line.lever = distance / radii;
+    line.first_turn = approach.radius / a.radius;
+    finish(line, approach, scenery_.laws.of(grains_.material[i], grains_.material[j]), as_body(b));
+  }
+
+  void wall(std::uint32_t i, std::uint32_t w) {
+    const auto& a = grains_.line[i];
+    const auto& wall = scenery_.settings.walls[w];
+    const auto& now = scenery_.walls[w];
+    if (!now.there) return;
+    const Vec<D> from_point =
+        wall.finite() ? separation(a.position, now.point, scenery_.settings.box) : Vec<D>(a.position - now.point);
+    const auto place = above(wall, from_point);
+    const Approach<D> approach{place.normal, place.height - (wall.smooth ? 2.0 : 1.0) * a.radius, a.radius};
+    const auto body = static_cast<std::uint32_t>(grains_.size()) + w;
+    if (!meets(approach, i, body)) return;
+    auto law = scenery_.laws.of(grains_.material[i], wall.material);
+    if (wall.smooth) law.friction = law.dynamic_friction = law.rolling_friction = 0.0;
+    auto line = begin_line(approach, i, body);
+    finish(line, approach, law, problem_.free[body]);
+  }
+
+ private:
+  double way_ahead(std::uint32_t i, std::uint32_t j) const {
+    const Vec<D> relative = problem_.free[i].velocity - problem_.free[j].velocity;
+    return magnitude(relative) * scenery_.settings.time_step;
+  }
+
+  static Body<D> as_body(const Grain<D>& grain) { return {grain.velocity, grain.rim_velocity, grain.inverse_mass}; }
+
+  double closing_way(const Approach<D>& approach, std::uint32_t i, std::uint32_t j) const {
+    const Vec<D> relative = problem_.free[j].velocity - problem_.free[i].velocity;
+    return dot(relative, approach.normal) * scenery_.settings.time_step;
+  }
+
+  bool meets(const Approach<D>& approach, std::uint32_t i, std::uint32_t j) const {
+    const double margin = std::max(margin_of_radius * approach.radius, fall_);
+    return approach.gap - std::max(0.0, closing_way(approach, i, j)) < margin;
+  }
+
+  ContactLine<D> begin_line(const Approach<D>& approach, std::uint32_t i, std::uint32_t j) {
+    ContactLine<D> line;
+    line.normal = approach.normal;
+    line.first = i;
+    line.second = j;
+    while (old_ != old_end_ && std::tie(old_->first, old_->second) < std::tie(i, j)) ++old_;
+    if (old_ != old_end_ && old_->first == i && old_->second == j) line.impulse = old_->impulse;
+    return line;
+  }
+
+  /// `other` has the velocities of the second body before the step.
+  void finish(ContactLine<D>& line, const Approach<D>& approach, const ImpulseLaw& law, const Body<D>& other) {
+    const auto first = as_body(grains_.line[line.first]);
+    set_masses(line, first.inverse_mass, other.inverse_mass);
+    const double opening = opening_velocity(line, first, other);
+    const Tangent<D> slip = slip_velocity(line, first, other);
+    line.normal_bias = normal_bias(approach, law, opening, closing_way(approach, line.first, line.second));
+    line.tangent_bias = slip * law.tangential_restitution;
+    line.friction = friction_at(law, magnitude(slip));
+    line.rolling_friction = law.rolling_friction;
+    problem_.rolling |= law.rolling_friction > 0.0;
+    problem_.contacts.push_back(line);
+  }
+
+  /// Signorini's condition on velocities: the gap may just close within the step. An impact that bounces back does so
+  /// at once, for a gap law would brake it first. An overlap is taken back little by little.
+  double normal_bias(const Approach<D>& approach, const ImpulseLaw& law, double opening, double closing_way) const {
+    const auto& settings = scenery_.settings;
+    const double overlap = std::max(0.0, -approach.gap - settled_overlap * approach.radius);
+    const double recovery =
+        -settings.overlap_recovery * std::min(overlap, margin_of_radius * approach.radius) / settings.time_step;
+    const bool impact = law.restitution > 0.0 && opening < 0.0 && closing_way >= approach.gap;
+    if (impact) return std::min(law.restitution * opening, recovery);
+    return approach.gap > 0.0 ? approach.gap / settings.time_step : recovery;
+  }
+
+  const Scenery<D>& scenery_;
+  const Grains<D>& grains_;
+  typename std::vector<ContactLine<D>>::const_iterator old_;
+  typename std::vector<ContactLine<D>>::const_iterator old_end_;
+  Problem<D>& problem_;
+  double fall_ = 0.0;  // [L]
+};
+
+}  // namespace
+
+template <int D>
+void gather(const Scenery<D>& scenery, const Grains<D>& grains, const PairList<D>& pairs,
+            const std::vector<ContactLine<D>>& before, Problem<D>& problem) {
+  problem.contacts.clear();
+  problem.rolling = false;
+  Gathering<D> gathering(scenery, grains, before, problem);
+  const auto walls = static_cast<std::uint32_t>(scenery.walls.size());
+  for (std::uint32_t i = 0; i < pairs.rows(); ++i) {
+    for (auto k = pairs.row_start[i]; k < pairs.row_start[i + 1]; ++k) gathering.grain(i, pairs.partner[k]);
+    if (grains.line[i].fixed()) continue;
+    for (std::uint32_t w = 0; w < walls; ++w) gathering.wall(i, w);
+  }
+}
+
+template <int D>
+void renumber(const std::vector<std::uint32_t>& order, std::size_t grains_before,
+              std::vector<ContactLine<D>>& contacts) {
+  constexpr auto gone = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> place(grains_before, gone);
+  for (std::uint32_t k = 0; k < order.size(); ++k) {
+    if (order[k] < grains_before) place[order[k]] = k;
+  }
+  const auto moved = [&](std::uint32_t body) {
+    if (body < grains_before) return place[body];
+    return static_cast<std::uint32_t>(body - grains_before + order.size());
+  };
+  for (auto& c : contacts) {
+    c.first = moved(c.first);
+    c.second = moved(c.second);
+    if (c.first < c.second) continue;
+    // Normal and tangent turn round together, so that only what is of space or of one side changes sign.
+    std::swap(c.first, c.second);
+    c.normal = -c.normal;
+    c.impulse.tangent = swapped(c.impulse.tangent);
+    c.impulse.roll = -c.impulse.roll;
+    c.first_turn = 2.0 - c.first_turn;
+  }
+  std::erase_if(contacts, [&](const auto& c) { return c.second == gone || c.first == gone; });
+  std::vector<std::uint32_t> sorted(contacts.size());
+  std::iota(sorted.begin(), sorted.end(), 0U);
+  std::sort(sorted.begin(), sorted.end(), [&](auto a, auto b) {
+    return std::tie(contacts[a].first, contacts[a].second) < std::tie(contacts[b].first, contacts[b].second);
+  });
+  std::vector<ContactLine<D>> in_order;
+  in_order.reserve(contacts.size());
+  for (const auto k : sorted) in_order.push_back(contacts[k]);
+  contacts.swap(in_order);
+}
+
+template void gather(const Scenery<2>&, const Grains<2>&, const PairList<2>&, const std::vector<ContactLine<2>>&,
+                     Problem<2>&);
+template void gather(const Scenery<3>&, const Grains<3>&, const PairList<3>&, const std::vector<ContactLine<3>>&,
+                     Problem<3>&);
+template void renumber(const std::vector<std::uint32_t>&, std::size_t, std::vector<ContactLine<2>>&);
+template void renumber(const std::vector<std::uint32_t>&, std::size_t, std::vector<ContactLine<3>>&);
+
+}  // namespace repose::contact_dynamics

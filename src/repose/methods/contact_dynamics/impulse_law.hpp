@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/core/errors.hpp"
+#include "repose/core/inline.hpp"
+#include "repose/core/vec.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace repose {
+
+/// What holds at a contact of rigid grains: Signorini's condition and Coulomb's law with coefficients of restitution,
+/// and rolling friction. Infinity is allowed for every coefficient of friction.
+/// Source: Bratberg (2003), 4.6-4.8 and paper one, Eq. 6, as corrected in docs/physics/contact_dynamics.md.
+struct ImpulseLaw {
+  double restitution = 0.0;             ///< normal velocity after over before, 0 to 1
+  double tangential_restitution = 0.0;  ///< the same of the tangential velocity, -1 to 1
+  double friction = 0.0;                ///< tangential over normal impulse at most, >= 0
+  double rolling_friction = 0.0;        ///< tan(theta_r): torque over normal impulse and roll radius at most, >= 0
+  double dynamic_friction = 0.0;        ///< what friction falls to at `weakening_velocity`, 0 to `friction`
+  double weakening_velocity = 0.0;      ///< [L/T] slip at which all weakening is done; 0: friction does not weaken
+};
+
+/// Coefficient of friction at this slip [L/T] of the previous step: falls linearly, then stays.
+inline double friction_at(const ImpulseLaw& law, double slip) {
+  if (!(law.weakening_velocity > 0.0)) return law.friction;
+  const double left = std::max(0.0, 1.0 - std::fabs(slip) / law.weakening_velocity);
+  return law.dynamic_friction + (law.friction - law.dynamic_friction) * left;
+}
+
+/// Friction may carry this much under a normal impulse; nothing where there is none, be the coefficient infinite.
+REPOSE_FN double friction_limit(double coefficient, double normal_impulse) {
+  return normal_impulse > 0.0 ? coefficient * normal_impulse : 0.0;
+}
+
+/// The nearest impulse that friction may carry.
+REPOSE_FN double project(double impulse, double limit) { return std::min(std::max(impulse, -limit), limit); }
+REPOSE_FN Vec<3> project(const Vec<3>& impulse, double limit) {
+  const double size = magnitude(impulse);
+  return size > limit ? impulse * (limit / size) : impulse;
+}
+
+/// The part of a change after which friction carries no more than it may; exact where it stays within the limit.
+REPOSE_FN double change_within(double impulse, double change, double limit) {
+  return std::min(std::max(change, -limit - impulse), limit - impulse);
+}
+REPOSE_FN Vec<3> change_within(const Vec<3>& impulse, const Vec<3>& change, double limit) {
+  const Vec<3> sum = impulse + change;
+  const double size = magnitude(sum);
+  return size > limit ? sum * (limit / size) - impulse : change;
+}
+
+/// The law of every two materials.
+class ImpulseLaws {
+ public:
+  explicit ImpulseLaws(const ImpulseLaw& only) : laws_{only} {}
+
+  /// `laws` is a symmetric table of materials x materials.
+  ImpulseLaws(std::vector<ImpulseLaw> laws, std::size_t materials) : materials_(materials), laws_(std::move(laws)) {
+    REPOSE_ASSERT(laws_.size() == materials_ * materials_ && materials_ > 0);
+  }
+
+  const ImpulseLaw& of(std::size_t a, std::size_t b) const {
+    return laws_.size() == 1 ? laws_.front() : laws_[a * materials_ + b];
+  }
+
+ private:
+  std::size_t materials_ = 1;
+  std::vector<ImpulseLaw> laws_;
+};
+
+}  // namespace repose

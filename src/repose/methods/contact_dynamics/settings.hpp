@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/boundaries/wall.hpp"
+#include "repose/core/box.hpp"
+#include "repose/core/vec.hpp"
+#include "repose/methods/contact_dynamics/solver.hpp"
+
+#include <vector>
+
+namespace repose {
+
+/// What contact dynamics needs to know besides the laws.
+template <int D>
+struct ContactDynamicsSettings {
+  double time_step = 0.0;  ///< [T] > 0; g dt^2 / r of 0.05 to 0.15 for a heap
+  Vec<D> gravity{};        ///< [L/T^2]
+  Box<D> box{};
+  std::vector<Wall<D>> walls;  ///< none that feels the grains (pistons): they stand still or have a given velocity
+  contact_dynamics::SolverSettings solver{};
+  double overlap_recovery = 0.05;  ///< share of an overlap that a step takes back, 0 to 1
+  double skin = 0.3;               ///< [L] of the pair list
+};
+
+}  // namespace repose
