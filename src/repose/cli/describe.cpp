@@ -101,6 +101,74 @@ std::string describe_deposition(const Scene& scene) {
   return text;
 }
 
+std::string impulse_text(const ImpulseLaw& law) {
+  std::string text = fmt::format("rigid contacts   friction {:g}, restitution {:g}", law.friction, law.restitution);
+  if (law.tangential_restitution != 0.0) text += fmt::format(", tangential {:g}", law.tangential_restitution);
+  if (law.rolling_friction > 0.0) text += fmt::format(", rolling friction {:g}", law.rolling_friction);
+  if (law.weakening_velocity > 0.0) {
+    text += fmt::format(", friction {:g} from slip {:g} on", law.dynamic_friction, law.weakening_velocity);
+  }
+  return text + "\n";
+}
+
+/// The laws, the step and the solver of contact dynamics.
+std::string describe_rigid(const Scene& scene) {
+  const double step = scene.time_step();
+  std::string text = impulse_text(scene.contact.impulse);
+  for (const auto& pair : scene.pairs) {
+    text += fmt::format("between          {} and {}\n{}", pair.first, pair.second, impulse_text(pair.contact.impulse));
+  }
+  text += fmt::format("time step        {:.6g} ({}; g dt^2 = {:.3g} radii)\n", step,
+                      scene.method.time_step ? "given" : "auto",
+                      scene.gravity * step * step / (0.5 * scene.smallest_diameter()));
+  if (const auto limit = scene.speed_limit()) text += fmt::format("speed limit      {:.4g}\n", *limit);
+  text += fmt::format("solver           {}, residual {:g} g dt, at most {} sweeps{}\n", scene.method.solver,
+                      scene.method.tolerance, scene.method.most_sweeps,
+                      scene.method.unconverged == "error" ? " or stop" : "");
+  return text;
+}
+
+std::string describe_soft(const Scene& scene) {
+  const double step = scene.time_step();
+  std::string text = laws_text(scene.contact, scene, " ");
+  for (const auto& pair : scene.pairs) {
+    text += fmt::format("between          {} and {}\n", pair.first, pair.second);
+    text += laws_text(pair.contact, scene, " ");
+  }
+  text += fmt::format(
+      "time step        {:.6g} ({}; w dt = {:.3g} for the stiffest contact of a fall from the source; {:.3g} of the "
+      "largest for a dense bed)\n",
+      step, scene.method.time_step ? "given" : "auto", step * scene.contact_frequency(),
+      step / scene.largest_step_of_bed());
+  text +=
+      fmt::format("velocities       {}{}\n", scene.synchronised() ? "synchronised" : "half-step",
+                  scene.method.velocities == "auto"
+                      ? fmt::format(" (auto; size ratio {:.3g})", scene.largest_diameter() / scene.smallest_diameter())
+                      : "");
+  return text;
+}
+
+const char* source_verb(const Scene& scene) {
+  if (scene.source.kind == "sequential") return "laid down one by one";
+  return scene.source.kind == "rain" ? "rained" : "poured";
+}
+
+/// How steps went that the solver gave up.
+std::string describe_solver(const Record& record) {
+  if (!record.scene.method.rigid()) return "";
+  const auto all = solver_account(record);
+  if (all.steps == 0) return "";
+  std::string text = fmt::format("solver           {:.3g} sweeps a step\n",
+                                 static_cast<double>(all.sweeps) / static_cast<double>(all.steps));
+  if (all.unconverged > 0) {
+    text += fmt::format(
+        "warning          {} of {} steps did not converge within method.most_sweeps = {}: worst residual {:.2g} g dt, "
+        "method.tolerance = {:g}; packings creep where that goes on\n",
+        all.unconverged, all.steps, record.scene.method.most_sweeps, all.worst_residual, record.scene.method.tolerance);
+  }
+  return text;
+}
+
 std::string describe_packing(const Packing& packing) {
   const auto with_error = [](const Estimate& value, const char* format) {
     return fmt::format(fmt::runtime(format), value.mean, value.error);
@@ -127,28 +195,14 @@ std::string describe(const Scene& scene) {
   const double step = scene.time_step();
   std::string text = fmt::format("scene            {}\n", scene.title.empty() ? "(untitled)" : scene.title);
   text += fmt::format("grains           {} {}, {} placed, {} fixed; diameters {:g} to {:g}\n", scene.source.count,
-                      scene.source.kind == "rain" ? "rained" : "poured", moving_count(initial), fixed,
-                      scene.smallest_diameter(), scene.largest_diameter());
+                      source_verb(scene), moving_count(initial), fixed, scene.smallest_diameter(),
+                      scene.largest_diameter());
   for (const auto& species : scene.species) text += species_text(species, scene);
   if (!scene.start.from.empty()) {
     text += fmt::format("start            {}: {} moving grains{}{}\n", scene.start.path, scene.start.moving,
                         scene.start.histories ? ", contacts remembered" : "", scene.start.at_rest ? ", from rest" : "");
   }
-  text += laws_text(scene.contact, scene, " ");
-  for (const auto& pair : scene.pairs) {
-    text += fmt::format("between          {} and {}\n", pair.first, pair.second);
-    text += laws_text(pair.contact, scene, " ");
-  }
-  text += fmt::format(
-      "time step        {:.6g} ({}; w dt = {:.3g} for the stiffest contact of a fall from the source; {:.3g} of the "
-      "largest for a dense bed)\n",
-      step, scene.method.time_step ? "given" : "auto", step * scene.contact_frequency(),
-      step / scene.largest_step_of_bed());
-  text +=
-      fmt::format("velocities       {}{}\n", scene.synchronised() ? "synchronised" : "half-step",
-                  scene.method.velocities == "auto"
-                      ? fmt::format(" (auto; size ratio {:.3g})", scene.largest_diameter() / scene.smallest_diameter())
-                      : "");
+  text += scene.method.rigid() ? describe_rigid(scene) : describe_soft(scene);
   text += fmt::format("stop             {}\n", stop_text(scene));
   const double end = expected_end(scene);
   text += fmt::format("expected         {:.3g} steps, {:.3g} grain-steps to time {:.5g}\n", end / step,
@@ -157,6 +211,7 @@ std::string describe(const Scene& scene) {
 }
 
 std::string describe_contacts(const Scene& scene) {
+  if (scene.method.rigid()) return "";
   const auto names = scene.material_names();
   const auto laws = scene.material_laws();
   const double d = scene.grains.diameter;
@@ -208,6 +263,7 @@ std::string describe_result(const Record& record, const Reading& reading) {
       "stopped          {} (time {:.6g}, {} steps, {:.1f} s, {:.3g} grain-steps per second)\n", facts.message,
       facts.time, facts.steps, facts.wall_seconds, facts.grain_steps / std::max(facts.wall_seconds, 1e-9));
   text += fmt::format("grains           {} present, {} lost\n", moving_count(record.grains), facts.lost);
+  text += describe_solver(record);
   if (reading.packing) text += describe_packing(*reading.packing);
   if (!reading.packing_problem.empty())
     text += fmt::format("packing          not measured: {}\n", reading.packing_problem);

@@ -14,7 +14,8 @@ std::string Bounds::text() const {
   if (low_given && high_given) {
     return fmt::format("must be {} {} and {} {}", low_allowed ? ">=" : ">", low, high_allowed ? "<=" : "<", high);
   }
-  if (low_given) return fmt::format("must be {} {}", low_allowed ? ">=" : ">", low);
+  const auto* also = infinite_allowed ? ", or inf" : "";
+  if (low_given) return fmt::format("must be {} {}{}", low_allowed ? ">=" : ">", low, also);
   if (high_given) return fmt::format("must be {} {}", high_allowed ? "<=" : "<", high);
   return "must be a finite number";
 }

@@ -16,6 +16,7 @@ struct Bounds {
   double high = std::numeric_limits<double>::infinity();
   bool low_allowed = true;
   bool high_allowed = true;
+  bool infinite_allowed = false;
 
   bool holds(double x) const { return (low_allowed ? x >= low : x > low) && (high_allowed ? x <= high : x < high); }
   std::string text() const;
@@ -23,6 +24,7 @@ struct Bounds {
 inline constexpr Bounds any{};
 inline constexpr Bounds positive{.low = 0.0, .low_allowed = false};
 inline constexpr Bounds not_negative{.low = 0.0};
+inline constexpr Bounds not_negative_or_infinite{.low = 0.0, .infinite_allowed = true};
 inline constexpr Bounds at_least_one{.low = 1.0};
 inline constexpr Bounds fraction{.low = 0.0, .high = 1.0, .high_allowed = false};
 

@@ -7,6 +7,7 @@
 #include "repose/core/contacts.hpp"
 #include "repose/core/energy.hpp"
 #include "repose/core/grains.hpp"
+#include "repose/core/solver_account.hpp"
 #include "repose/core/team.hpp"
 
 #include <cstdint>
@@ -59,6 +60,9 @@ class Method {
 
   /// Impulse of the grains on each wall [M L/T] since this was last called.
   virtual std::vector<Vec<D>> taken_wall_impulses() = 0;
+
+  /// What its solver did since this was last called; nothing of a method without one.
+  virtual SolverAccount taken_solver_account() { return {}; }
 
   /// All that the method knows besides its settings, for a checkpoint.
   virtual void exchange(Archive& archive) = 0;

@@ -13,6 +13,11 @@ double expected_end(const Scene& scene) {
   if (scene.method.deposits()) return static_cast<double>(scene.source.count);
   if (scene.stop.time && !scene.stop.at_rest) return *scene.stop.time;
   double end = 100.0 * std::sqrt(scene.grains.diameter / std::max(scene.gravity, 1e-30));
+  if (scene.source.kind == "sequential") {
+    // A grain rolls and rests for some 60 steps.
+    return std::min(60.0 * scene.time_step() * static_cast<double>(scene.source.count),
+                    scene.stop.time.value_or(1e300));
+  }
   if (scene.source.drops()) {
     end = static_cast<double>(scene.source.count) / scene.source.rate +
           std::sqrt(2.0 * scene.source.height / scene.gravity) +
@@ -29,6 +34,7 @@ double expected_work(const Scene& scene, double time) {
     const double during = std::min(time, pouring);
     work += 0.5 * scene.source.rate * during * during + static_cast<double>(scene.source.count) * (time - during);
   }
+  if (scene.source.kind == "sequential") work += 0.5 * static_cast<double>(scene.source.count) * time;
   return work / scene.time_step();
 }
 

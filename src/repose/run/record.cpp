@@ -27,4 +27,10 @@ Status status_of(const std::string& text) {
   throw std::out_of_range("no such status: " + text);
 }
 
+SolverAccount solver_account(const Record& record) {
+  SolverAccount all;
+  for (const auto& row : record.series) all += row.solver;
+  return all;
+}
+
 }  // namespace repose

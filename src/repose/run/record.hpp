@@ -6,6 +6,7 @@
 #include "repose/core/contacts.hpp"
 #include "repose/core/energy.hpp"
 #include "repose/core/grains.hpp"
+#include "repose/core/solver_account.hpp"
 #include "repose/core/track.hpp"
 #include "repose/scene/scene.hpp"
 
@@ -31,6 +32,8 @@ struct SeriesRow {
   double force_residual = 0.0;            ///< see analysis/force_network.hpp
   double max_overlap = 0.0;               ///< over the mean diameter of the pair
   Energy energy{};                        ///< all 0 unless the scene asks for the account
+  SolverAccount solver{};                 ///< since the row before, of contact dynamics
+  double creep_rate = 0.0;                ///< [L/T] median speed of grains that touch something, of contact dynamics
 };
 
 enum class Status { running, finished, interrupted, failed };
@@ -65,5 +68,8 @@ struct Record {
   BaseProfile base;
   Track track;
 };
+
+/// What the solver did from the start to the last row of the series.
+SolverAccount solver_account(const Record& record);
 
 }  // namespace repose

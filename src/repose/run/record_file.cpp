@@ -151,6 +151,37 @@ void write_energy(Hdf5File& file, const std::vector<SeriesRow>& rows) {
          [](const auto& row) { return row.energy.error(); });
 }
 
+/// What the solver did since the row before: as many rows as the series.
+struct SolverColumn {
+  const char* name;
+  std::int64_t SolverAccount::*entry;
+  const char* meaning;
+};
+constexpr SolverColumn solver_columns[] = {
+    {"steps", &SolverAccount::steps, "time steps"},
+    {"sweeps", &SolverAccount::sweeps, "forward and backward sweeps"},
+    {"contact_iterations", &SolverAccount::contact_iterations, "contacts visited by sweeps, each way counted"},
+    {"unconverged", &SolverAccount::unconverged, "steps that reached method.most_sweeps"},
+};
+
+void write_solver(Hdf5File& file, const std::vector<SeriesRow>& rows) {
+  file.group("solver");
+  const auto column = [&](const char* name, const char* unit, const std::string& meaning, const auto& value) {
+    std::vector<std::decay_t<decltype(value(rows[0]))>> values;
+    for (const auto& row : rows) values.push_back(value(row));
+    file.dataset(fmt::format("solver/{}", name), values, 1, unit, meaning);
+  };
+  column("time", "T", "of the rows", [](const auto& row) { return row.time; });
+  for (const auto& entry : solver_columns) {
+    column(entry.name, "", std::string(entry.meaning) + ", since the row before",
+           [&](const auto& row) { return row.solver.*entry.entry; });
+  }
+  column("residual", "g dt", "worst residual velocity of a contact since the row before",
+         [](const auto& row) { return row.solver.worst_residual; });
+  column("creep_rate", "L/T", "median speed of the grains that touch something",
+         [](const auto& row) { return row.creep_rate; });
+}
+
 void write_series(Hdf5File& file, const std::vector<SeriesRow>& rows) {
   std::vector<double> time;
   std::vector<std::int64_t> grains;
@@ -200,7 +231,7 @@ std::vector<SeriesRow> read_series(const Hdf5Reader& file) {
       {time.size(), grains.size(), lost.size(), contacts.size(), energy.size(), residual.size(), overlap.size()});
   std::vector<SeriesRow> rows;
   for (std::size_t k = 0; k < time.size(); ++k) {
-    rows.push_back({time[k], grains[k], lost[k], contacts[k], energy[k], residual[k], overlap[k], {}});
+    rows.push_back({time[k], grains[k], lost[k], contacts[k], energy[k], residual[k], overlap[k], {}, {}, 0.0});
   }
   return rows;
 }
@@ -221,6 +252,21 @@ void read_energy(const Hdf5Reader& file, std::vector<SeriesRow>& rows) {
     const auto values = file.dataset<double>(fmt::format("energy/{}", column.name));
     check_lengths(file, "energy", {rows.size(), values.size()});
     for (std::size_t k = 0; k < rows.size(); ++k) rows[k].energy.*column.entry = values[k];
+  }
+}
+
+void read_solver(const Hdf5Reader& file, std::vector<SeriesRow>& rows) {
+  for (const auto& column : solver_columns) {
+    const auto values = file.dataset<std::int64_t>(fmt::format("solver/{}", column.name));
+    check_lengths(file, "solver", {rows.size(), values.size()});
+    for (std::size_t k = 0; k < rows.size(); ++k) rows[k].solver.*column.entry = values[k];
+  }
+  const auto residual = file.dataset<double>("solver/residual");
+  const auto creep = file.dataset<double>("solver/creep_rate");
+  check_lengths(file, "solver", {rows.size(), residual.size(), creep.size()});
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    rows[k].solver.worst_residual = residual[k];
+    rows[k].creep_rate = creep[k];
   }
 }
 
@@ -334,6 +380,7 @@ void write_record(const std::string& path, const Record& record, const std::vect
   write_series(file, record.series);
   write_wall_series(file, record);
   if (record.scene.output.energy) write_energy(file, record.series);
+  if (record.scene.method.rigid()) write_solver(file, record.series);
   write_base(file, record.base);
   file.external_link("analysis", "analysis.h5", "/");
   const auto link = [&](const std::string& group, const std::vector<std::string>& names) {
@@ -408,6 +455,7 @@ Record read_record(const std::string& folder) {
   record.series = read_series(file);
   record.walls = read_wall_series(file, make_walls(record.scene).size(), record.series.size());
   if (record.scene.output.energy) read_energy(file, record.series);
+  if (record.scene.method.rigid()) read_solver(file, record.series);
   record.base = read_base(file);
   if (file.has("track")) {
     for (const auto& name : file.names_in("track")) {

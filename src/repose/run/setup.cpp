@@ -3,6 +3,7 @@
 #include "repose/run/setup.hpp"
 
 #include "repose/core/random.hpp"
+#include "repose/methods/contact_dynamics/contact_dynamics.hpp"
 #include "repose/methods/deposition/deposition.hpp"
 #include "repose/methods/soft/soft.hpp"
 #include "repose/run/sources/draw.hpp"
@@ -106,7 +107,7 @@ Box<2> make_box(const Scene& scene) {
   box.x_min = -scene.box.half_width;
   box.x_max = scene.box.half_width;
   constexpr double fall_below_base = 5.0;  // diameters below base grains: nothing comes back from there
-  if (scene.base.of_grains() || scene.start.base) {
+  if (!scene.method.deposits() && (scene.base.of_grains() || scene.start.base)) {
     box.floor = -scene.base.roughness - fall_below_base * scene.largest_diameter();
   }
   if (scene.box.floor) box.floor = *scene.box.floor;
@@ -133,10 +134,26 @@ std::unique_ptr<Method<2>> make_deposition_of(const Scene& scene) {
   return make_deposition(settings);
 }
 
+std::unique_ptr<Method<2>> make_contact_dynamics_of(const Scene& scene) {
+  ContactDynamicsSettings<2> settings;
+  settings.time_step = scene.time_step();
+  settings.gravity = {{0.0, -scene.gravity}};
+  settings.box = make_box(scene);
+  settings.walls = make_walls(scene);
+  if (const auto limit = scene.speed_limit()) settings.speed_limit = *limit;
+  settings.solver.tolerance = scene.method.tolerance;
+  settings.solver.most_sweeps = scene.method.most_sweeps;
+  settings.solver.accelerated = scene.method.solver == "accelerated";
+  settings.overlap_recovery = scene.method.overlap_recovery;
+  settings.skin = scene.method.skin;
+  return make_contact_dynamics<2>(scene.impulse_laws(), settings);
+}
+
 }  // namespace
 
 std::unique_ptr<Method<2>> make_method(const Scene& scene) {
   if (scene.method.deposits()) return make_deposition_of(scene);
+  if (scene.method.rigid()) return make_contact_dynamics_of(scene);
   SoftSettings<2> settings;
   settings.time_step = scene.time_step();
   settings.gravity = {{0.0, -scene.gravity}};

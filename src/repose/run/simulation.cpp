@@ -35,6 +35,18 @@ Scene as_kept(Scene scene) {
   return scene;
 }
 
+/// Of the grains that are marked; 0 where there are none.
+double median_speed(const Grains<2>& grains, const std::vector<bool>& marked) {
+  std::vector<double> speeds;
+  for (std::size_t k = 0; k < grains.size(); ++k) {
+    if (marked[k] && !grains.line[k].fixed()) speeds.push_back(magnitude(grains.line[k].velocity));
+  }
+  if (speeds.empty()) return 0.0;
+  const auto middle = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() / 2);
+  std::nth_element(speeds.begin(), middle, speeds.end());
+  return *middle;
+}
+
 }  // namespace
 
 Simulation::Simulation(Scene scene, int threads)
@@ -199,17 +211,25 @@ void Simulation::observe(const Hooks& hooks) {
   row.lost = grains_lost();
   record_walls();
   if (scene_.output.energy) row.energy = method_->energy(grains_);
+  if (scene_.method.rigid()) {
+    row.solver = method_->taken_solver_account();
+    row.creep_rate = median_speed(grains_, supported(grains_, contacts));
+  }
   series_.push_back(row);
   if (track_every_ > 0 && step_ / observe_every_ % track_every_ == 0) record_track(contacts);
 
-  constexpr double longest_wait = 100.0;
   if (row.max_overlap > largest_overlap) {
     stop(Status::failed, describe_trouble(contacts));
+  } else if (row.solver.unconverged > 0 && scene_.method.unconverged == "error") {
+    stop(Status::failed, fmt::format("{} of {} steps to time {:.6g} did not converge: worst residual {:.3g} of gravity "
+                                     "times time step, method.tolerance = {} (method.unconverged = \"error\")",
+                                     row.solver.unconverged, row.solver.steps, time(), row.solver.worst_residual,
+                                     scene_.method.tolerance));
   } else if (at_rest()) {
     stop(Status::finished, fmt::format("at rest: kinetic energy per grain and force residual below stop.at_rest = {}",
                                        *scene_.stop.at_rest));
   } else if (!source_->done() &&
-             source_->waiting(step_) > longest_wait * std::sqrt(scene_.grains.diameter / scene_.gravity)) {
+             source_->waiting(step_) > source_->patience() * std::sqrt(scene_.grains.diameter / scene_.gravity)) {
     stop(Status::failed, source_->buried());
   }
   if (hooks.observed) hooks.observed(*this);

@@ -155,6 +155,20 @@ void put_packing(const Packing& packing, Json& json) {
   json["fabric_direction_deg"] = number(packing.fabric->folded.direction_deg.mean);
 }
 
+/// What the solver did in the whole run.
+Json solver_json(const Record& record) {
+  if (!record.scene.method.rigid()) return nullptr;
+  const auto all = solver_account(record);
+  const auto steps = static_cast<double>(all.steps);
+  return {{"steps", all.steps},
+          {"sweeps_per_step", all.steps > 0 ? Json(static_cast<double>(all.sweeps) / steps) : Json(nullptr)},
+          {"contact_iterations", all.contact_iterations},
+          {"unconverged", all.unconverged},
+          {"worst_residual", number(all.worst_residual)},
+          {"tolerance", record.scene.method.tolerance},
+          {"creep_rate", record.series.empty() ? Json(nullptr) : number(record.series.back().creep_rate)}};
+}
+
 constexpr std::string_view last_key = ",\n  \"checksum\": ";
 
 /// The end of a summary whose text begins so: the hash of that, under the last key.
@@ -213,6 +227,7 @@ std::string summary_text(const Record& record, const Reading& reading) {
   json["weight_error"] = number(reading.weight_error);
   json["field_weight_error"] = number(reading.field_weight_error);
   json["packing"] = packing_json(reading, scene);
+  json["solver"] = solver_json(record);
   if (scene.method.deposits()) {
     json["critical_angle"] = scene.method.critical_angle;
     json["contacts"] = reading.packing ? Json(reading.packing->contacts) : Json(nullptr);

@@ -21,7 +21,7 @@ void check_motion(const std::string& prefix, const Scene::Wall& wall, const Scen
   if (wall.motion == "velocity" || wall.motion == "spring") check_direction(prefix + "velocity", wall.velocity, reader);
   if (wall.motion == "force") check_direction(prefix + "force", wall.force, reader);
   const bool feels = wall.motion == "force" || wall.motion == "spring";
-  if (!feels || !reader.problems().empty()) return;
+  if (!feels || scene.method.rigid() || !reader.problems().empty()) return;
   // The piston on its spring, or between it and one grain: explicit steps are unstable beyond w dt = 2.
   const double step = scene.time_step();
   const double contact = scene.grains.mass * std::pow(scene.contact_frequency(), 2);

@@ -13,10 +13,13 @@ namespace {
 constexpr std::array<double, 2> nothing{0.0, 0.0};
 
 void base_keys(Scene& scene, Keys& keys) {
-  keys.choice("base.kind", scene.base.kind, "none", {"row", "deposited", "plane", "none"},
+  keys.choice("base.kind", scene.base.kind, "none", {"row", "deposited", "contiguous", "plane", "none"},
               "what the heap stands on, at height 0: a row of fixed grains, fixed grains of the sizes of the others at "
-              "random heights, a plane, or nothing");
-  if (scene.base.kind == "row") {
+              "random heights, touching discs as a deposition has them, a plane, or nothing");
+  if (scene.base.kind == "contiguous") {
+    keys.integer("base.count", scene.base.count, 32, 2, "touching discs, from side to side of the box");
+    scene.base.half_width = 0.5 * static_cast<double>(scene.base.count) * scene.grains.diameter;
+  } else if (scene.base.kind == "row") {
     keys.number("base.spacing", scene.base.spacing, scene.grains.diameter, positive, "L",
                 "between the centres, one of them at x = 0");
     keys.number("base.half_width", scene.base.half_width, required, positive, "L", "the row covers +- this");
@@ -43,10 +46,16 @@ void deposition_base_keys(Scene& scene, Keys& keys) {
 
 void box_keys(Scene& scene, Keys& keys) {
   const double d = scene.grains.diameter;
-  keys.choice("box.x", scene.box.x, "open", {"open", "periodic"}, "grains that leave an open box are lost and counted");
+  const bool contiguous = scene.base.kind == "contiguous";
+  keys.choice("box.x", scene.box.x, contiguous ? "periodic" : "open", {"open", "periodic"},
+              "grains that leave an open box are lost and counted");
   const double room = scene.base.of_grains() ? scene.base.half_width : 200.0 * d;
-  keys.number("box.half_width", scene.box.half_width, scene.box.x == "periodic" ? room : room + 20.0 * d, positive, "L",
-              "x from -half_width to half_width");
+  if (contiguous && scene.box.x == "periodic") {
+    scene.box.half_width = scene.base.half_width;
+  } else {
+    keys.number("box.half_width", scene.box.half_width, scene.box.x == "periodic" ? room : room + 20.0 * d, positive,
+                "L", "x from -half_width to half_width");
+  }
   keys.optional_number(
       "box.floor", scene.box.floor, "auto", any, "L",
       "grains that fall below are lost and counted; \"auto\": 5 diameters below base grains, else nowhere");

@@ -14,6 +14,7 @@ void check_laws(const Scene& scene, Reader& reader);
 void check_species(const Scene& scene, Reader& reader);
 void check_boundaries(const Scene& scene, Reader& reader);
 void check_sources(const Scene& scene, Reader& reader);
+void check_rigid(const Scene& scene, Reader& reader);
 void check_deposition(const Scene& scene, Reader& reader);
 void check_packing(const Scene& scene, Reader& reader);
 void check_stop(const Scene& scene, Reader& reader);

@@ -17,10 +17,34 @@ void deposition_keys(Scene& scene, Keys& keys) {
       "exactly 0 degrees)");
 }
 
+void rigid_keys(Scene& scene, Keys& keys) {
+  auto& method = scene.method;
+  keys.optional_number("method.time_step", method.time_step, "auto", positive, "T",
+                       "\"auto\": g dt^2 is a tenth of the smallest radius, and no fall goes half of that in a step");
+  keys.optional_number(
+      "method.critical_angle", method.rolling_angle, "", {.low = 0.0, .high = 90.0}, "deg",
+      "theta_c of deposition as a law: rolling friction tan(theta_c), 90 for infinite, and no sliding");
+  keys.optional_number("method.speed_limit", method.speed_limit, "auto", positive, "L/T",
+                       "no grain is faster before it meets others; \"auto\": g dt for a sequential source, else none");
+  keys.choice("method.solver", method.solver, "accelerated", {"accelerated", "sweeps"},
+              "conjugate residuals over symmetric sweeps of nonlinear Gauss-Seidel, or the sweeps alone");
+  keys.number("method.tolerance", method.tolerance, 1e-6, positive, "g dt",
+              "largest residual velocity of a contact; the true residual, computed apart from the solver");
+  keys.integer("method.most_sweeps", method.most_sweeps, 2000, 1, "forward and backward, before a step is given up");
+  keys.choice("method.unconverged", method.unconverged, "warn", {"warn", "error"},
+              "steps given up are counted and reported, or stop the run");
+  keys.number("method.overlap_recovery", method.overlap_recovery, 0.05, {.low = 0.0, .high = 1.0}, "",
+              "share of an overlap that a step takes back");
+  keys.number("method.skin", method.skin, 0.3 * scene.grains.diameter, positive, "L",
+              "extra reach of the pair list; changes speed, never results beyond rounding");
+}
+
 void method_keys(Scene& scene, Keys& keys) {
-  keys.choice("method.kind", scene.method.kind, "soft", {"soft", "deposition"},
-              "how the grains are moved: by forces, or dropped one by one by the critical-angle rule");
+  keys.choice("method.kind", scene.method.kind, "soft", {"soft", "contact-dynamics", "deposition"},
+              "how the grains are moved: by forces, as rigid grains by impulses, or dropped one by one by the "
+              "critical-angle rule");
   if (scene.method.deposits()) return deposition_keys(scene, keys);
+  if (scene.method.rigid()) return rigid_keys(scene, keys);
   keys.optional_number("method.time_step", scene.method.time_step, "auto", positive, "T",
                        "\"auto\": half a radian of the stiffest contact, and with which a dense bed comes to rest");
   keys.choice("method.velocities", scene.method.velocities, "auto", {"auto", "half-step", "synchronised"},

@@ -13,7 +13,26 @@ namespace repose {
 
 namespace {
 
+void check_impulse(const std::string& prefix, const ImpulseLaw& law, const Scene& scene, Reader& reader) {
+  if (law.weakening_velocity > 0.0 && law.dynamic_friction > law.friction &&
+      reader.sound(prefix + "dynamic_friction")) {
+    reader.problem(prefix + "dynamic_friction",
+                   fmt::format(" = {}: must be at most {}friction = {}", law.dynamic_friction, prefix, law.friction));
+  }
+  if (law.weakening_velocity > 0.0 && !std::isfinite(law.friction) && reader.sound(prefix + "weakening_velocity")) {
+    reader.problem(prefix + "weakening_velocity",
+                   fmt::format(" = {}: infinite friction cannot weaken", law.weakening_velocity));
+  }
+  const auto& angle = scene.method.rolling_angle;
+  if (prefix == "contact." && angle && law.rolling_friction != rolling_friction_of(*angle) &&
+      reader.sound("contact.rolling_friction")) {
+    reader.problem("contact.rolling_friction", fmt::format(" = {}: method.critical_angle = {} says {:.6g}; give one",
+                                                           law.rolling_friction, *angle, rolling_friction_of(*angle)));
+  }
+}
+
 void check_contact(const std::string& prefix, const Scene::Contact& contact, const Scene& scene, Reader& reader) {
+  if (scene.method.rigid()) return check_impulse(prefix, contact.impulse, scene, reader);
   if (std::holds_alternative<Continuous>(contact.normal) && scene.gravity == 0.0 && reader.sound("gravity")) {
     reader.problem("gravity", " = 0: the continuous law has its force scale from gravity; use hooke or gravity > 0");
   }

@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <limits>
+
 namespace repose {
 
 namespace {
@@ -69,6 +72,35 @@ TangentialLaw with_friction(TangentialLaw law, double friction) {
   return law;
 }
 
+/// The law of rigid grains. What is not said of a pair is as in `like`.
+void impulse_keys(const std::string& prefix, ImpulseLaw& law, const ImpulseLaw& like, Keys& keys) {
+  keys.number(prefix + "friction", law.friction, like.friction, not_negative_or_infinite, "",
+              "Coulomb coefficient mu; inf: no sliding");
+  keys.number(prefix + "restitution", law.restitution, like.restitution, {.low = 0.0, .high = 1.0}, "",
+              "normal velocity after an impact over that before");
+  keys.number(prefix + "tangential_restitution", law.tangential_restitution, like.tangential_restitution,
+              {.low = -1.0, .high = 1.0}, "", "the same of the tangential velocity, where friction can bring it about");
+  keys.number(prefix + "rolling_friction", law.rolling_friction, like.rolling_friction, not_negative_or_infinite, "",
+              "tan(theta_r): torque over normal force and roll radius 2 r_i r_j/(r_i + r_j) at most; inf: no rolling");
+  keys.number(prefix + "weakening_velocity", law.weakening_velocity, like.weakening_velocity, not_negative, "L/T",
+              "slip at which friction has fallen to dynamic_friction, linearly; 0: it does not weaken");
+  if (!(law.weakening_velocity > 0.0)) return;
+  const double dynamic = std::isfinite(like.dynamic_friction) ? like.dynamic_friction : 0.0;
+  keys.number(prefix + "dynamic_friction", law.dynamic_friction, dynamic, not_negative, "",
+              "friction of contacts that slide so fast");
+}
+
+/// What a scene says of rolling by its critical angle.
+ImpulseLaw usual_impulse_law(const Scene& scene) {
+  ImpulseLaw law;
+  law.friction = 0.5;
+  if (scene.method.rolling_angle) {
+    law.friction = std::numeric_limits<double>::infinity();
+    law.rolling_friction = rolling_friction_of(*scene.method.rolling_angle);
+  }
+  return law;
+}
+
 /// The laws of a pair of materials. A kind of law of which nothing is said is as in `like`.
 void contact_keys(const std::string& prefix, Scene::Contact& contact, const Scene::Contact* like, const Scene& scene,
                   Keys& keys) {
@@ -106,8 +138,12 @@ void material_key(const std::string& key, std::string& material, const Scene& sc
 }
 
 void law_keys(Scene& scene, Keys& keys) {
-  keys.number("contact.friction", scene.contact.friction, 0.5, not_negative, "", "Coulomb coefficient mu");
-  contact_keys("contact.", scene.contact, nullptr, scene, keys);
+  if (scene.method.rigid()) {
+    impulse_keys("contact.", scene.contact.impulse, usual_impulse_law(scene), keys);
+  } else {
+    keys.number("contact.friction", scene.contact.friction, 0.5, not_negative, "", "Coulomb coefficient mu");
+    contact_keys("contact.", scene.contact, nullptr, scene, keys);
+  }
   table_keys<Scene::Material>(keys, "material", scene.materials, [&](const auto& prefix, auto& material, std::size_t) {
     keys.text(prefix + "name", material.name, "", "of the material; that of the first is for all that names none");
     keys.number(prefix + "density", material.density, 1.0, positive, "",
@@ -116,6 +152,7 @@ void law_keys(Scene& scene, Keys& keys) {
   table_keys<Scene::Pair>(keys, "pair", scene.pairs, [&](const auto& prefix, auto& pair, std::size_t) {
     material_key(prefix + "first", pair.first, scene, keys);
     material_key(prefix + "second", pair.second, scene, keys);
+    if (scene.method.rigid()) return impulse_keys(prefix, pair.contact.impulse, scene.contact.impulse, keys);
     keys.number(prefix + "friction", pair.contact.friction, scene.contact.friction, not_negative, "",
                 "as contact.friction");
     contact_keys(prefix, pair.contact, &scene.contact, scene, keys);

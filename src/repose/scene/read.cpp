@@ -124,7 +124,7 @@ Scene read_scene_text(const std::string& text, const std::string& name, const Ov
     check_boundaries(scene, reader);
     check_sources(scene, reader);
     check_stop(scene, reader);
-    check_time_step(scene, reader);
+    scene.method.rigid() ? check_rigid(scene, reader) : check_time_step(scene, reader);
   }
   problems.insert(problems.end(), reader.problems().begin(), reader.problems().end());
   if (!problems.empty()) throw InputError(problems);

@@ -126,8 +126,9 @@ void Reader::wrong_type(const std::string& key, const toml::node& node, std::str
 
 bool Reader::check_bounds(const std::string& key, const std::string& shown, double value, const Bounds& bounds,
                           std::string_view unit) {
-  if (std::isfinite(value) && bounds.holds(value)) return true;
-  const std::string allowed = std::isfinite(value) ? bounds.text() : "must be a finite number";
+  const bool fine = std::isfinite(value) || (std::isinf(value) && bounds.infinite_allowed);
+  if (fine && bounds.holds(value)) return true;
+  const std::string allowed = fine ? bounds.text() : "must be a finite number";
   problem(key, fmt::format("{}: {}{}", shown, allowed, unit.empty() ? "" : fmt::format(" [{}]", unit)));
   return false;
 }

@@ -19,8 +19,9 @@ void packing_keys(Scene& scene, Keys& keys) {
   if (!analysis.packing) return;
   keys.vector("analysis.slab", analysis.slab, std::array<double, 2>{0.4, 1.4}, "",
               "edges of the slab above the base centres, over the mean height of the grains");
-  keys.number("analysis.contact_gap", analysis.contact_gap, 1e-9, not_negative, "diameters",
-              "grains closer than this touch");
+  // A step of contact dynamics ends with gaps of the size of its residual.
+  keys.number("analysis.contact_gap", analysis.contact_gap, scene.method.rigid() ? 5e-4 : 1e-9, not_negative,
+              "diameters", "grains closer than this touch");
   keys.integer("analysis.direction_bins", analysis.direction_bins, 36, 1, "of contact directions, over 180 degrees");
   keys.flag("analysis.correlations", analysis.correlations, false, "pair correlation g(r), and along x and y");
   keys.flag("analysis.structure_factor", analysis.structure_factor, false, "S(q)");
@@ -56,8 +57,10 @@ void run_keys(Scene& scene, Keys& keys) {
               "between moments at which the place of every grain is kept, for avalanches; 0: none");
   keys.number("output.checkpoint", scene.output.checkpoint, 60.0, not_negative, "s of wall time",
               "between checkpoints, from which a run that was cut off goes on; 0: only when it is interrupted");
-  keys.flag("output.energy", scene.output.energy, false,
-            "keep account of the energy, a series of its own; in a slower kernel that gives the same bits");
+  if (!scene.method.rigid()) {
+    keys.flag("output.energy", scene.output.energy, false,
+              "keep account of the energy, a series of its own; in a slower kernel that gives the same bits");
+  }
   keys.number("analysis.bin_width", scene.analysis.bin_width, 2.0 * d, positive, "L", "of the surface profile");
   keys.number("analysis.force_threshold", scene.analysis.force_threshold, 0.2, not_negative, "grain weights",
               "contacts that carry less do not count");

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace repose {
 
@@ -86,6 +87,17 @@ MaterialLaws Scene::material_laws() const {
   return laws;
 }
 
+ImpulseLaws Scene::impulse_laws() const {
+  const auto count = material_names().size();
+  std::vector<ImpulseLaw> table(count * count, contact.impulse);
+  for (const auto& pair : pairs) {
+    const auto a = material_number(pair.first);
+    const auto b = material_number(pair.second);
+    table[a * count + b] = table[b * count + a] = pair.contact.impulse;
+  }
+  return {std::move(table), count};
+}
+
 double Scene::expected_column() const {
   if (source.kind == "lattice") return static_cast<double>(source.rows);
   // N grains in a triangle of height h and slope 30 degrees: N = h^2 sqrt(3) / 0.9 (a core of discs at 0.8).
@@ -114,19 +126,27 @@ void for_every_contact(const Scene& scene, const Use& use) {
   }
 }
 
+/// Height from which the fastest grain seems to fall [L].
+double highest_fall(const Scene& scene) {
+  const auto& source = scene.source;
+  const auto& start = scene.start;
+  const auto rise = [&](const std::array<double, 2>& velocity) {
+    return scene.gravity > 0.0 ? 0.5 * (std::pow(velocity[0], 2) + std::pow(velocity[1], 2)) / scene.gravity : 0.0;
+  };
+  double fall = std::max(scene.grains.diameter, start.fall);
+  if (source.drops()) fall = std::max(start.fall, source.height + rise(source.velocity));
+  if (source.kind == "lattice") {
+    const double pitch = source.columns > 0 ? scene.block_pitch() : scene.grains.diameter;
+    fall = std::max(start.fall, static_cast<double>(source.rows) * pitch);
+  }
+  for (const auto& grain : scene.placed) fall = std::max(fall, rise(grain.velocity) + std::max(0.0, grain.position[1]));
+  return fall;
+}
+
 }  // namespace
 
 double Scene::contact_frequency() const {
-  const auto rise = [&](const std::array<double, 2>& velocity) {
-    return gravity > 0.0 ? 0.5 * (std::pow(velocity[0], 2) + std::pow(velocity[1], 2)) / gravity : 0.0;
-  };
-  double fall = std::max(grains.diameter, start.fall);
-  if (source.drops()) fall = std::max(start.fall, source.height + rise(source.velocity));
-  if (source.kind == "lattice") {
-    const double pitch = source.columns > 0 ? block_pitch() : grains.diameter;
-    fall = std::max(start.fall, static_cast<double>(source.rows) * pitch);
-  }
-  for (const auto& grain : placed) fall = std::max(fall, rise(grain.velocity) + std::max(0.0, grain.position[1]));
+  const double fall = highest_fall(*this);
   double frequency = 0.0;
   for_every_contact(*this, [&](const ContactLaws& laws, const GrainSize& mover, const GrainSize& partner) {
     frequency = std::max(frequency, stiffest_contact(laws, mover, partner, gravity, fall).frequency);
@@ -143,7 +163,40 @@ double Scene::largest_step_of_bed() const {
   return step;
 }
 
+double Scene::fastest_fall() const {
+  // Without gravity nothing falls, but what is placed flies.
+  if (gravity > 0.0) return std::sqrt(2.0 * gravity * highest_fall(*this));
+  double fastest = 0.0;
+  for (const auto& grain : placed) fastest = std::max(fastest, std::hypot(grain.velocity[0], grain.velocity[1]));
+  return fastest;
+}
+
+namespace {
+
+/// Of rigid grains: only g dt^2 over a radius matters while they rest and roll, and in flight the way of a step.
+constexpr double rigid_fall = 0.1;
+constexpr double rigid_way = 0.5;
+
+double rigid_step(const Scene& scene) {
+  const double radius = 0.5 * scene.smallest_diameter();
+  const double of_fall =
+      scene.gravity > 0.0 ? std::sqrt(rigid_fall * radius / scene.gravity) : std::numeric_limits<double>::infinity();
+  const auto limit = scene.method.speed_limit;
+  // A sequential source lets no grain become faster than g dt.
+  if (!limit && scene.source.kind == "sequential") return of_fall;
+  const double speed = limit ? std::min(*limit, scene.fastest_fall()) : scene.fastest_fall();
+  return std::min(of_fall, rigid_way * radius / speed);
+}
+
+}  // namespace
+
+std::optional<double> Scene::speed_limit() const {
+  if (method.speed_limit || source.kind != "sequential") return method.speed_limit;
+  return gravity * time_step();
+}
+
 double Scene::automatic_step() const {
+  if (method.rigid()) return rigid_step(*this);
   return std::min(auto_phase / contact_frequency(), auto_part_of_bed * largest_step_of_bed());
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "repose/core/size_distribution.hpp"
+#include "repose/laws/impulse_law.hpp"
 #include "repose/laws/registry.hpp"
 
 #include <array>
@@ -29,7 +30,18 @@ struct Scene {
     double critical_angle = 0.0;      ///< [deg] of deposition
     std::string arithmetic;           ///< of deposition: "auto", "snapped" or "double"
 
+    // Of contact dynamics.
+    std::optional<double> rolling_angle;  ///< [deg] the critical angle as a law of rolling
+    std::optional<double> speed_limit;    ///< [L/T] of free velocities; none: "auto"
+    std::string solver;                   ///< "accelerated" or "sweeps"
+    double tolerance = 0.0;               ///< [gravity times time step]
+    std::int64_t most_sweeps = 0;
+    std::string unconverged;        ///< "warn" or "error"
+    double overlap_recovery = 0.0;  ///< share of an overlap that a step takes back
+
     bool deposits() const { return kind == "deposition"; }
+    /// Whether grains are rigid: contacts have impulses instead of forces.
+    bool rigid() const { return kind == "contact-dynamics"; }
   } method;
 
   struct GrainSizes {
@@ -69,6 +81,7 @@ struct Scene {
     TangentialLaw tangential;
     RollingLaw rolling;
     CohesionLaw cohesion;
+    ImpulseLaw impulse;  ///< of contact dynamics, instead of those above
 
     ContactLaws laws() const { return {normal, tangential, rolling, cohesion}; }
   } contact;
@@ -95,7 +108,7 @@ struct Scene {
     bool smooth = false;      ///< of a plane
     std::string material;
 
-    bool of_grains() const { return kind == "row" || kind == "deposited"; }
+    bool of_grains() const { return kind == "row" || kind == "deposited" || kind == "contiguous"; }
   } base;
 
   struct Region {
@@ -160,7 +173,7 @@ struct Scene {
   } start;
 
   struct Source {
-    std::string kind;  ///< "pour", "rain", "lattice" or "none"
+    std::string kind;  ///< "pour", "rain", "lattice", "sequential" or "none"
     std::int64_t count = 0;
     double rate = 0.0;         ///< [1/T]
     double height = 0.0;       ///< [L]
@@ -172,6 +185,7 @@ struct Scene {
     std::int64_t columns = 0;  ///< of a block; 0: a pile
     double gap = 0.0;          ///< [L] of a block, between grains of the largest size
     double jitter = 0.0;       ///< of a block: displacements over half a gap
+    double rest = 0.0;         ///< [gravity times time step] of a sequential source
 
     bool drops() const { return kind == "pour" || kind == "rain"; }
   } source;
@@ -230,14 +244,17 @@ struct Scene {
   double mass_of(double diameter, const std::string& material) const;  ///< [M] goes with the square of the diameter
   /// The laws of every two materials.
   MaterialLaws material_laws() const;
+  ImpulseLaws impulse_laws() const;
   /// The number of grains that may stand above one at the base, for overlaps at rest: all grains in a heap of 30
   /// degrees.
   double expected_column() const;
-  double time_step() const;            ///< [T] given or automatic
-  double automatic_step() const;       ///< [T]
-  double largest_step_of_bed() const;  ///< [T] with which grains under the expected column come to rest
-  bool synchronised() const;           ///< given, or chosen for size ratios above 2
-  double contact_frequency() const;    ///< [1/T] of the stiffest contact that the time step is judged by
+  double time_step() const;                   ///< [T] given or automatic
+  double automatic_step() const;              ///< [T]
+  double fastest_fall() const;                ///< [L/T] of any grain before it meets another, without a limit of speed
+  std::optional<double> speed_limit() const;  ///< [L/T] of contact dynamics, given or automatic
+  double largest_step_of_bed() const;         ///< [T] with which grains under the expected column come to rest
+  bool synchronised() const;                  ///< given, or chosen for size ratios above 2
+  double contact_frequency() const;           ///< [1/T] of the stiffest contact that the time step is judged by
 };
 
 /// Size ratio above which velocities are predicted for the full step unless the scene says otherwise.

@@ -35,6 +35,20 @@ void drop_keys(Scene& scene, Keys& keys) {
   keys.vector("source.velocity", source.velocity, at_rest, "L/T", "at release");
 }
 
+void sequential_keys(Scene& scene, Keys& keys) {
+  auto& source = scene.source;
+  const double d = scene.grains.diameter;
+  const bool base = scene.base.of_grains() && scene.box.x != "periodic";
+  keys.integer("source.count", source.count, 1000, 1, "grains released in all, each once all others are at rest");
+  keys.number("source.height", source.height, 0.01 * d, not_negative, "L",
+              "above the place where the grain first touches another or a wall on its way down");
+  keys.number("source.half_width", source.half_width, base ? scene.base.half_width : scene.box.half_width, not_negative,
+              "L", "released at x +- this");
+  keys.number("source.x", source.x, 0.0, any, "L", "middle of where they are released");
+  keys.number("source.rest", source.rest, 5e-3, positive, "g dt",
+              "no grain is faster nor turns its rim faster while all are at rest");
+}
+
 void lattice_keys(Scene& scene, Keys& keys) {
   auto& source = scene.source;
   keys.integer("source.rows", source.rows, std::nullopt, 1,
@@ -62,9 +76,12 @@ void source_keys(Scene& scene, Keys& keys) {
     keys.flag("start.at_rest", scene.start.at_rest, false, "they begin without motion");
   }
   placed_keys(scene, keys);
-  keys.choice("source.kind", scene.source.kind, "none", {"pour", "rain", "lattice", "none"},
-              "where grains come from: poured from an opening, rained over a width, or there at the start as a "
-              "triangular lattice");
+  std::vector<std::string> kinds{"pour", "rain", "lattice", "none"};
+  if (scene.method.rigid()) kinds.insert(kinds.begin() + 2, "sequential");
+  keys.choice("source.kind", scene.source.kind, "none", kinds,
+              "where grains come from: poured from an opening, rained over a width, laid down one by one (of "
+              "contact-dynamics), or there at the start as a triangular lattice");
+  if (scene.source.kind == "sequential") sequential_keys(scene, keys);
   if (scene.source.kind == "lattice") lattice_keys(scene, keys);
   if (scene.source.drops()) drop_keys(scene, keys);
 }

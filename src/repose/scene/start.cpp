@@ -18,13 +18,16 @@ namespace repose {
 
 namespace {
 
-/// The law that keeps the displacement that a contact remembers; what another law kept means nothing to it.
-std::string tangential_law_of(const std::string& scene, const std::string& name) {
+/// What makes sense of the memory of a contact: rigid grains begin with the forces that rigid grains had, and a law
+/// with the displacement that the same law kept.
+std::string memory_of(const std::string& scene, const std::string& name) {
   const auto root = parsed_toml(scene, name);
-  return root.at_path("contact.tangential.law").value_or(std::string());
+  const auto kind = root.at_path("method.kind").value_or(std::string());
+  return kind == "soft" ? root.at_path("contact.tangential.law").value_or(std::string()) : kind;
 }
 
-std::string tangential_law_of(const Scene& scene) {
+std::string memory_of(const Scene& scene) {
+  if (scene.method.rigid()) return scene.method.kind;
   return std::visit([](const auto& law) { return std::string(law.name); }, scene.contact.tangential);
 }
 
@@ -80,7 +83,7 @@ void look_at_start(Scene& scene, Reader& reader, const std::string& folder) {
     const auto state = read_start(start.path, start.step);
     take_facts(state, scene);
     check_grains(state, scene, reader);
-    start.histories = !state.scene.empty() && tangential_law_of(state.scene, start.path) == tangential_law_of(scene);
+    start.histories = !state.scene.empty() && memory_of(state.scene, start.path) == memory_of(scene);
   } catch (const InputError& error) {
     for (const auto& line : error.problems()) {
       reader.problem("start.from", fmt::format(" = \"{}\": {}", start.from, line));

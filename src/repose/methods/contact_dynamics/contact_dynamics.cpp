@@ -37,9 +37,7 @@ ContactDynamics<D>::ContactDynamics(ImpulseLaws laws, ContactDynamicsSettings<D>
       walls_(settings_.walls.size()),
       wall_impulses_(settings_.walls.size()) {
   REPOSE_ASSERT(settings_.time_step > 0.0);
-  for (const auto& wall : settings_.walls) {
-    if (wall.motion.feels_grains()) throw InputError("contact-dynamics: walls that feel the grains are not known yet");
-  }
+  for (const auto& wall : settings_.walls) problem_.wall_direction.push_back(wall.motion.direction);
   problem_.velocity_scale = magnitude(settings_.gravity) * settings_.time_step;
 }
 
@@ -101,10 +99,39 @@ void ContactDynamics<D>::set_free_velocities(const Grains<D>& grains) {
     auto& body = problem_.free[static_cast<std::size_t>(found - grains.id.begin())];
     body.velocity += load.force * (kick * body.inverse_mass);
   }
-  for (std::size_t w = 0; w < walls_.size(); ++w) {
-    move_wall(settings_.walls[w].motion, walls_[w], now(), kick, 0.0, Vec<D>{});
-    problem_.free.push_back({settings_.walls[w].motion.direction * walls_[w].speed, Spin<D>{}, 0.0});
+  limit_speeds();
+  problem_.first_wall = problem_.free.size();
+  problem_.pistons = false;
+  for (std::size_t w = 0; w < walls_.size(); ++w) set_free_wall(w, kick);
+}
+
+/// The barrier acts here and never on what the contacts make of the velocities, which are then what they must be.
+template <int D>
+void ContactDynamics<D>::limit_speeds() {
+  if (!std::isfinite(settings_.speed_limit)) return;
+  for (auto& body : problem_.free) {
+    const double speed = magnitude(body.velocity);
+    if (speed > settings_.speed_limit) body.velocity *= settings_.speed_limit / speed;
   }
+}
+
+/// A piston is a body that moves along one direction. Its spring and drag act at the end of the step (implicit Euler:
+/// stable for any stiffness), by which the body is as if it had more mass.
+template <int D>
+void ContactDynamics<D>::set_free_wall(std::size_t w, double kick) {
+  const auto& motion = settings_.walls[w].motion;
+  auto& state = walls_[w];
+  double inverse_mass = 0.0;
+  if (!motion.feels_grains()) {
+    move_wall(motion, state, now(), kick, 0.0, Vec<D>{});
+  } else if (now() >= motion.start) {
+    const double end = now() + settings_.time_step - motion.start;
+    const double pull = motion.force + motion.stiffness * (motion.speed * end - state.displacement);
+    inverse_mass = 1.0 / (motion.mass + kick * (motion.drag + motion.stiffness * settings_.time_step));
+    state.speed = inverse_mass * (motion.mass * state.speed + kick * pull);
+    problem_.pistons = true;
+  }
+  problem_.free.push_back({motion.direction * state.speed, Spin<D>{}, inverse_mass});
 }
 
 template <int D>
@@ -130,13 +157,12 @@ void ContactDynamics<D>::hand_over_reactions(Grains<D>& grains) {
   for (const auto& c : problem_.contacts) {
     const Vec<D> impulse = c.normal * c.impulse.normal + in_space(c.impulse.tangent, c.normal);
     if (problem_.free[c.first].inverse_mass == 0.0) grains.reaction[c.first] += impulse;
-    if (problem_.free[c.second].inverse_mass != 0.0) continue;
-    if (c.second < grains.size()) {
-      grains.reaction[c.second] -= impulse;
-    } else {
+    if (c.second >= grains.size()) {
       const auto w = c.second - grains.size();
       wall_impulses_[w] -= impulse;
-      walls_[w].work += dot(impulse, problem_.free[c.second].velocity);
+      walls_[w].work += dot(impulse, problem_.bodies[c.second].velocity);
+    } else if (problem_.free[c.second].inverse_mass == 0.0) {
+      grains.reaction[c.second] -= impulse;
     }
   }
 }
@@ -155,7 +181,12 @@ bool ContactDynamics<D>::move(Grains<D>& grains) {
     const double way = magnitude(grain.velocity) * dt;
     fine &= way <= grain.radius && std::isfinite(magnitude(grain.rim_velocity));
   }
-  for (auto& wall : walls_) wall.displacement += wall.speed * dt;
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    auto& wall = walls_[w];
+    const auto& body = problem_.bodies[grains.size() + w];
+    if (body.inverse_mass > 0.0) wall.speed = dot(body.velocity, settings_.walls[w].motion.direction);
+    wall.displacement += wall.speed * dt;
+  }
   ++step_;
   return fine;
 }

@@ -2,26 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/laws/impulse_law.hpp"
 #include "repose/methods/contact_dynamics/gather.hpp"
-#include "repose/methods/contact_dynamics/impulse_law.hpp"
 #include "repose/methods/contact_dynamics/settings.hpp"
 #include "repose/methods/contact_dynamics/solver.hpp"
 #include "repose/methods/method.hpp"
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace repose {
-
-/// What the solver did since the start. Steps that are not converged are no error, but they are counted: see the
-/// creep of unconverged packings in docs/physics/contact_dynamics.md.
-struct SolverAccount {
-  long steps = 0;
-  long sweeps = 0;              ///< forward and backward
-  long contact_iterations = 0;  ///< contacts visited by sweeps, each way counted
-  long unconverged = 0;         ///< steps that reached the cap
-  double worst_residual = 0.0;  ///< of all steps
-};
 
 /// Contact dynamics: rigid grains whose contacts obey Signorini's condition, Coulomb's law and rolling friction at the
 /// end of each step, by implicit time stepping. Velocities are those half a step before the positions.
@@ -41,11 +32,13 @@ class ContactDynamics final : public Method<D> {
   void set_histories(const Grains<D>& grains, const Contacts<D>& contacts) override;
   const std::vector<WallState>& walls() const override { return walls_; }
   std::vector<Vec<D>> taken_wall_impulses() override;
+  SolverAccount taken_solver_account() override { return std::exchange(account_, {}); }
   void exchange(Archive& archive) override;
   void restored(const Grains<D>&, const Team&) override {}
   /// Keeps none.
   Energy energy(const Grains<D>&) const override { return {}; }
 
+  /// Since it was last taken.
   const SolverAccount& account() const { return account_; }
   /// Of the last step.
   const contact_dynamics::Solution& solution() const { return solution_; }
@@ -57,6 +50,8 @@ class ContactDynamics final : public Method<D> {
   void refresh_pairs(Grains<D>& grains, Team& team);
   void build_pairs(Grains<D>& grains, Team& team);
   void set_free_velocities(const Grains<D>& grains);
+  void limit_speeds();
+  void set_free_wall(std::size_t w, double kick);
   void find_contacts(const Grains<D>& grains);
   void solve();
   bool move(Grains<D>& grains);

@@ -105,7 +105,12 @@ class Gathering {
   /// `other` has the velocities of the second body before the step.
   void finish(ContactLine<D>& line, const Approach<D>& approach, const ImpulseLaw& law, const Body<D>& other) {
     const auto first = as_body(grains_.line[line.first]);
-    set_masses(line, first.inverse_mass, other.inverse_mass);
+    if (line.second < problem_.first_wall) {
+      set_masses(line, first.inverse_mass, other.inverse_mass);
+    } else {
+      const auto& direction = problem_.wall_direction[line.second - problem_.first_wall];
+      set_piston_masses(line, first.inverse_mass, other.inverse_mass, direction);
+    }
     const double opening = opening_velocity(line, first, other);
     const Tangent<D> slip = slip_velocity(line, first, other);
     line.normal_bias = normal_bias(approach, law, opening, closing_way(approach, line.first, line.second));

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "repose/core/grains.hpp"
-#include "repose/methods/contact_dynamics/impulse_law.hpp"
+#include "repose/laws/impulse_law.hpp"
 #include "repose/methods/contact_dynamics/problem.hpp"
 #include "repose/methods/contact_dynamics/settings.hpp"
 #include "repose/neighbours/pair_list.hpp"

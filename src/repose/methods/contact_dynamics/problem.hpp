@@ -4,10 +4,11 @@
 
 #include "repose/core/grains.hpp"
 #include "repose/core/vec.hpp"
-#include "repose/methods/contact_dynamics/impulse_law.hpp"
+#include "repose/laws/impulse_law.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace repose::contact_dynamics {
@@ -108,6 +109,16 @@ REPOSE_FN void turn(const ContactLine<D>& c, const Spin<D>& roll, Body<D>& a, Bo
   b.rim_velocity -= roll * (factor * (2.0 - c.first_turn) * b.inverse_mass);
 }
 
+/// The same where the second is a wall: it never turns, and moves along one direction or not at all.
+template <int D>
+REPOSE_FN void push_wall(const ContactLine<D>& c, double normal, const Tangent<D>& tangent, const Vec<D>& direction,
+                         Body<D>& a, Body<D>& wall) {
+  Body<D> still;
+  push(c, normal, tangent, a, still);
+  const Vec<D> impulse = c.normal * normal + in_space(tangent, c.normal);
+  wall.velocity -= direction * (dot(impulse, direction) * wall.inverse_mass);
+}
+
 /// Sets the masses of a contact from its levers and the bodies.
 template <int D>
 void set_masses(ContactLine<D>& c, double first_inverse_mass, double second_inverse_mass) {
@@ -120,6 +131,17 @@ void set_masses(ContactLine<D>& c, double first_inverse_mass, double second_inve
       (factor * (c.first_turn * c.first_turn * first_inverse_mass + second_turn * second_turn * second_inverse_mass));
 }
 
+/// The masses of a contact with a piston that moves along `direction`: as much of it as the impulse can move. In 3D the
+/// tangent plane yields unevenly, and its mass is that of where it yields most, with which sweeps converge too.
+template <int D>
+void set_piston_masses(ContactLine<D>& c, double inverse_mass, double piston_inverse_mass, const Vec<D>& direction) {
+  const double across = dot(c.normal, direction);
+  set_masses(c, inverse_mass, 0.0);
+  c.normal_mass = 1.0 / (inverse_mass + across * across * piston_inverse_mass);
+  c.tangent_mass = 1.0 / (inverse_mass * (1.0 + inverse_inertia_factor<D> * c.lever * c.lever) +
+                          (1.0 - across * across) * piston_inverse_mass);
+}
+
 /// All contacts of one step, with the velocities that there would be without them.
 template <int D>
 struct Problem {
@@ -128,16 +150,27 @@ struct Problem {
   std::vector<ContactLine<D>> contacts;
   double velocity_scale = 0.0;  ///< [L/T] residuals are measured by; not positive: by the fastest closing contact
   bool rolling = true;          ///< whether some contact resists rolling
+
+  std::size_t first_wall = std::numeric_limits<std::size_t>::max();  ///< bodies from this one on are walls
+  bool pistons = false;                                              ///< whether the contacts move some of them
+  std::vector<Vec<D>> wall_direction;                                ///< along which each wall moves
 };
 
 /// Velocities from the impulses alone, whatever they were before.
 template <int D>
-void add_impulses(const std::vector<Body<D>>& free, const std::vector<ContactLine<D>>& contacts,
-                  std::vector<Body<D>>& bodies) {
-  bodies = free;
-  for (const auto& c : contacts) {
-    push(c, c.impulse.normal, c.impulse.tangent, bodies[c.first], bodies[c.second]);
-    turn(c, c.impulse.roll, bodies[c.first], bodies[c.second]);
+void add_impulses(const Problem<D>& problem, std::vector<Body<D>>& bodies) {
+  bodies = problem.free;
+  for (const auto& c : problem.contacts) {
+    auto& a = bodies[c.first];
+    auto& b = bodies[c.second];
+    if (c.second < problem.first_wall) {
+      push(c, c.impulse.normal, c.impulse.tangent, a, b);
+      turn(c, c.impulse.roll, a, b);
+      continue;
+    }
+    Body<D> still;
+    push_wall(c, c.impulse.normal, c.impulse.tangent, problem.wall_direction[c.second - problem.first_wall], a, b);
+    turn(c, c.impulse.roll, a, still);
   }
 }
 

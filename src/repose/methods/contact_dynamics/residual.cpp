@@ -20,7 +20,7 @@ double velocity_scale(const Problem<D>& problem) {
 
 template <int D>
 Residual residual(const Problem<D>& problem, std::vector<Body<D>>& bodies) {
-  add_impulses(problem.free, problem.contacts, bodies);
+  add_impulses(problem, bodies);
   Residual worst;
   // What is not a number counts as worst of all.
   const auto take = [](double& largest, double value) {

@@ -7,6 +7,7 @@
 #include "repose/core/vec.hpp"
 #include "repose/methods/contact_dynamics/solver.hpp"
 
+#include <limits>
 #include <vector>
 
 namespace repose {
@@ -17,7 +18,8 @@ struct ContactDynamicsSettings {
   double time_step = 0.0;  ///< [T] > 0; g dt^2 / r of 0.05 to 0.15 for a heap
   Vec<D> gravity{};        ///< [L/T^2]
   Box<D> box{};
-  std::vector<Wall<D>> walls;  ///< none that feels the grains (pistons): they stand still or have a given velocity
+  std::vector<Wall<D>> walls;
+  double speed_limit = std::numeric_limits<double>::infinity();  ///< [L/T] of free velocities, before contacts act
   contact_dynamics::SolverSettings solver{};
   double overlap_recovery = 0.05;  ///< share of an overlap that a step takes back, 0 to 1
   double skin = 0.3;               ///< [L] of the pair list

@@ -18,8 +18,36 @@ constexpr long sweeps_per_look = 4;
 constexpr double drift_over_velocity = 1e4;
 constexpr double shortest_leap = 8.0;
 
+/// Where the second body of each contact gets the opposite of an impulse.
+struct AmongGrains {
+  template <int D>
+  REPOSE_FN void push(const ContactLine<D>& c, double normal, const Tangent<D>& tangent, Body<D>& a, Body<D>& b) const {
+    contact_dynamics::push(c, normal, tangent, a, b);
+  }
+  template <int D>
+  REPOSE_FN void turn(const ContactLine<D>& c, const Spin<D>& roll, Body<D>& a, Body<D>& b) const {
+    contact_dynamics::turn(c, roll, a, b);
+  }
+};
+
+/// The same where some of the bodies are pistons.
 template <int D>
-REPOSE_FN void relax_translation(ContactLine<D>& c, Body<D>& a, Body<D>& b, Impulse<D>& change) {
+struct WithPistons {
+  std::size_t first_wall;
+  const Vec<D>* direction;
+
+  REPOSE_FN void push(const ContactLine<D>& c, double normal, const Tangent<D>& tangent, Body<D>& a, Body<D>& b) const {
+    if (c.second < first_wall) return contact_dynamics::push(c, normal, tangent, a, b);
+    push_wall(c, normal, tangent, direction[c.second - first_wall], a, b);
+  }
+  REPOSE_FN void turn(const ContactLine<D>& c, const Spin<D>& roll, Body<D>& a, Body<D>& b) const {
+    Body<D> still;
+    contact_dynamics::turn(c, roll, a, c.second < first_wall ? b : still);
+  }
+};
+
+template <int D, class Bodies>
+REPOSE_FN void relax_translation(const Bodies& among, ContactLine<D>& c, Body<D>& a, Body<D>& b, Impulse<D>& change) {
   auto& p = c.impulse;
   const double opening = opening_velocity(c, a, b) + c.normal_bias;
   const Tangent<D> slip = slip_velocity(c, a, b) + c.tangent_bias;
@@ -28,40 +56,50 @@ REPOSE_FN void relax_translation(ContactLine<D>& c, Body<D>& a, Body<D>& b, Impu
   const Tangent<D> tangent =
       change_within(p.tangent, Tangent<D>(slip * -c.tangent_mass), friction_limit(c.friction, p.normal));
   p.tangent += tangent;
-  push(c, normal, tangent, a, b);
+  among.push(c, normal, tangent, a, b);
   change.normal += normal;
   change.tangent += tangent;
 }
 
-template <int D>
-REPOSE_FN void relax_roll(ContactLine<D>& c, Body<D>& a, Body<D>& b, Impulse<D>& change) {
+template <int D, class Bodies>
+REPOSE_FN void relax_roll(const Bodies& among, ContactLine<D>& c, Body<D>& a, Body<D>& b, Impulse<D>& change) {
   auto& p = c.impulse;
   const Spin<D> roll = change_within(p.roll, Spin<D>(roll_velocity(c, a, b) * -c.roll_mass),
                                      friction_limit(c.rolling_friction, p.normal));
   p.roll += roll;
-  turn(c, roll, a, b);
+  among.turn(c, roll, a, b);
   change.roll += roll;
 }
 
 /// Solves each contact as if the others held still, first to last and back, all in the mirrored order, so that the map
 /// is symmetric. Normal and tangential parts of a disc or sphere act on each other through the friction limit alone.
 /// Adds up what was changed: as the difference of the impulses it would drown in their rounding.
-template <bool Rolling, int D>
-void sweep_to_and_fro(Problem<D>& problem, std::vector<Impulse<D>>& changes) {
+template <bool Rolling, int D, class Bodies>
+void sweep_to_and_fro(const Bodies& among, Problem<D>& problem, std::vector<Impulse<D>>& changes) {
   auto* bodies = problem.bodies.data();
   const auto count = problem.contacts.size();
   for (std::size_t k = 0; k < count; ++k) {
     auto& c = problem.contacts[k];
     Impulse<D> change;
-    relax_translation(c, bodies[c.first], bodies[c.second], change);
-    if constexpr (Rolling) relax_roll(c, bodies[c.first], bodies[c.second], change);
+    relax_translation(among, c, bodies[c.first], bodies[c.second], change);
+    if constexpr (Rolling) relax_roll(among, c, bodies[c.first], bodies[c.second], change);
     changes[k] = change;
   }
   for (std::size_t k = count; k-- > 0;) {
     auto& c = problem.contacts[k];
-    if constexpr (Rolling) relax_roll(c, bodies[c.first], bodies[c.second], changes[k]);
-    relax_translation(c, bodies[c.first], bodies[c.second], changes[k]);
+    if constexpr (Rolling) relax_roll(among, c, bodies[c.first], bodies[c.second], changes[k]);
+    relax_translation(among, c, bodies[c.first], bodies[c.second], changes[k]);
   }
+}
+
+template <int D>
+void sweep_to_and_fro(Problem<D>& problem, std::vector<Impulse<D>>& changes) {
+  const auto sweep = [&](const auto& among) {
+    problem.rolling ? sweep_to_and_fro<true>(among, problem, changes)
+                    : sweep_to_and_fro<false>(among, problem, changes);
+  };
+  if (problem.pistons) return sweep(WithPistons<D>{problem.first_wall, problem.wall_direction.data()});
+  sweep(AmongGrains{});
 }
 
 }  // namespace
@@ -225,17 +263,14 @@ Solution Solver<D>::solve(Problem<D>& problem) {
     const double enough = settings_.tolerance * velocity_scale(problem);
     begin(problem);
     for (;;) {
-      if (problem.rolling)
-        sweep_to_and_fro<true>(problem, change_.impulses);
-      else
-        sweep_to_and_fro<false>(problem, change_.impulses);
+      sweep_to_and_fro(problem, change_.impulses);
       ++solution.sweeps;
       take_change(problem);
       if (small_enough(problem, solution, enough)) break;
       if (!settings_.accelerated || solution.sweeps % sweeps_per_look != 0 || !leap(problem)) combine();
       go_on(problem);
     }
-    add_impulses(problem.free, problem.contacts, problem.bodies);
+    add_impulses(problem, problem.bodies);
   }
   solution.converged = solution.residual <= settings_.tolerance;
   return solution;

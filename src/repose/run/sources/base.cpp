@@ -71,10 +71,11 @@ void add_deposited(const Scene& scene, Grains<2>& grains, std::int64_t& id) {
 
 /// Touching discs from side to side.
 void add_contiguous(const Scene& scene, Grains<2>& grains, std::int64_t& id) {
-  const auto grain = make_grain(scene, scene.grains.diameter);
+  const auto grain = make_grain(scene, scene.grains.diameter, scene.base.material);
+  const auto material = scene.material_number(scene.base.material);
   for (std::int64_t k = 0; k < scene.base.count; ++k) {
-    const double x = (static_cast<double>(k) + 0.5) * scene.grains.diameter - scene.box.half_width;
-    add_fixed(grain, {{x, 0.0}}, 0, grains, id);
+    const double x = (static_cast<double>(k) + 0.5) * scene.grains.diameter - scene.base.half_width;
+    add_fixed(grain, {{x, 0.0}}, material, grains, id);
   }
 }
 

@@ -18,6 +18,7 @@ Drop::Drop(const Scene& scene, double time_step, std::int64_t first_id)
       time_step_(time_step),
       first_id_(first_id),
       draw_(scene, Purpose::grain_species, Purpose::grain_size) {
+  if (scene_.method.rigid()) return;
   for (const auto& laws : scene_.material_laws().table) reach_ = std::max(reach_, reach(AnyNormal{laws.normal}));
 }
 

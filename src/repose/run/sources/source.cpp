@@ -4,6 +4,7 @@
 
 #include "repose/run/sources/pour.hpp"
 #include "repose/run/sources/rain.hpp"
+#include "repose/run/sources/sequential.hpp"
 
 namespace repose {
 
@@ -27,6 +28,7 @@ class Nothing final : public Source {
 std::unique_ptr<Source> make_source(const Scene& scene, double time_step, std::int64_t first_id) {
   if (scene.source.kind == "pour") return std::make_unique<Pour>(scene, time_step, first_id);
   if (scene.source.kind == "rain") return std::make_unique<Rain>(scene, time_step, first_id);
+  if (scene.source.kind == "sequential") return std::make_unique<Sequential>(scene, time_step, first_id);
   return std::make_unique<Nothing>();
 }
 

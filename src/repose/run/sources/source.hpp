@@ -34,6 +34,9 @@ class Source {
   /// Time for which no grain has found room, although one is due [T].
   virtual double waiting(long step) const = 0;
 
+  /// How long that may be [times of a fall of a diameter].
+  virtual double patience() const { return 100.0; }
+
   /// What to say when that is too long.
   virtual std::string buried() const = 0;
 

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -31,6 +33,12 @@ inline double friction_at(const ImpulseLaw& law, double slip) {
   if (!(law.weakening_velocity > 0.0)) return law.friction;
   const double left = std::max(0.0, 1.0 - std::fabs(slip) / law.weakening_velocity);
   return law.dynamic_friction + (law.friction - law.dynamic_friction) * left;
+}
+
+/// Rolling friction with which a grain that does not slide stays on another up to this angle [deg] off upright.
+inline double rolling_friction_of(double critical_angle) {
+  if (critical_angle >= 90.0) return std::numeric_limits<double>::infinity();
+  return std::tan(critical_angle * std::numbers::pi / 180.0);
 }
 
 /// Friction may carry this much under a normal impulse; nothing where there is none, be the coefficient infinite.
