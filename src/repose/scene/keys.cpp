@@ -28,7 +28,7 @@ void rigid_keys(Scene& scene, Keys& keys) {
                        "no grain is faster before it meets others; \"auto\": g dt for a sequential source, else none");
   keys.choice("method.solver", method.solver, "accelerated", {"accelerated", "sweeps"},
               "conjugate residuals over symmetric sweeps of nonlinear Gauss-Seidel, or the sweeps alone");
-  keys.number("method.tolerance", method.tolerance, 1e-6, positive, "g dt",
+  keys.number("method.tolerance", method.tolerance, 1e-5, positive, "g dt",
               "largest residual velocity of a contact; the true residual, computed apart from the solver");
   keys.integer("method.most_sweeps", method.most_sweeps, 2000, 1, "forward and backward, before a step is given up");
   keys.choice("method.unconverged", method.unconverged, "warn", {"warn", "error"},

@@ -1,0 +1,195 @@
+# SPDX-FileCopyrightText: 2026 The Repose developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Contact dynamics through the program: what packings must give, resuming, the solver's series, refused scenes."""
+
+import signal
+import subprocess
+import time
+
+import h5py
+import numpy as np
+import pytest
+
+from conftest import PROGRAM, summary
+
+SEQUENTIAL = """
+[method]
+kind = "contact-dynamics"
+critical_angle = 50
+tolerance = 1e-4
+[base]
+kind = "contiguous"
+count = 12
+[source]
+kind = "sequential"
+count = %d
+[stop]
+at_rest = 0.01
+time = 2000
+[output]
+series = 5
+"""
+
+
+def places(folder):
+    with h5py.File(folder / "run.h5") as file:
+        return file["grains/position"][:], file["grains/fixed"][:] != 0
+
+
+# Long after the last came to rest the base carries their weight (residuals of 1e-4 of either sign), and nothing overlaps
+# beyond 1e-3 of a radius and what a step may add.
+def test_grains_are_laid_down_one_by_one(lab):
+    found = summary(lab.run((SEQUENTIAL % 40).replace("at_rest = 0.01\ntime = 2000", "time = 400")))
+    assert found["status"] == "finished" and found["grains"] == 40
+    assert found["max_overlap"] < 2e-3
+    assert abs(found["weight_error"]) < 1e-3
+    solver = found["solver"]
+    assert solver["steps"] == found["steps"] and solver["tolerance"] == 1e-4
+    assert solver["unconverged"] <= 0.1 * solver["steps"]
+
+
+def test_solver_has_series(lab):
+    folder = lab.run(SEQUENTIAL % 10)
+    with h5py.File(folder / "run.h5") as file:
+        solver = {name: data[:] for name, data in file["solver"].items()}
+        assert len(solver["time"]) == len(file["series/time"])
+    found = summary(folder)["solver"]
+    assert solver["steps"].sum() == found["steps"]
+    assert solver["unconverged"].sum() == found["unconverged"]
+    assert solver["residual"].max() == found["worst_residual"] > 0
+    assert (solver["sweeps"] >= 0).all() and solver["sweeps"].sum() > 0
+    # At rest the creep of a converged packing is below the rest that is asked for, 5e-3 g dt.
+    assert 0 <= solver["creep_rate"][-1] < 5e-3 * 0.2237
+
+
+# At 90 degrees a critical-angle packing is in equilibrium: each branch hangs on its contact, whatever its torque.
+# The residual of 1e-8 g dt moves a contact by 5e-10 in a step; 112 steps, and branches of some ten discs that turn
+# about their roots, amplify that by 1e3 at most.
+def test_packing_of_sticking_discs_does_not_move(lab):
+    deposition = """
+[method]
+kind = "deposition"
+critical_angle = 90
+[base]
+count = 16
+[source]
+count = 60
+"""
+    before = lab.run(deposition)
+    held = f"""
+[start]
+from = "{before}"
+[method]
+kind = "contact-dynamics"
+critical_angle = 90
+speed_limit = 0.2236
+tolerance = 1e-8
+most_sweeps = 50000
+[box]
+x = "periodic"
+half_width = 8
+[stop]
+time = 25
+"""
+    after = lab.run(held, out="held")
+    assert summary(after)["solver"]["unconverged"] == 0
+    first, _ = places(before)
+    last, fixed = places(after)
+    moved = last - first
+    moved[:, 0] -= 16 * np.round(moved[:, 0] / 16)
+    assert np.abs(moved[~fixed]).max() < 1e-4
+    # Where nothing resists rolling it comes down.
+    rolling = summary(lab.run(held.replace("critical_angle = 90\nspeed", "critical_angle = 20\nspeed"), out="rolling"))
+    assert rolling["packing"]["solid_fraction"]["mean"] > 1.1 * summary(after)["packing"]["solid_fraction"]["mean"]
+
+
+# A block on a piston under a force: piston and load rise together with (F - W)/(M + m).
+def test_piston_lifts_a_load(lab):
+    folder = lab.run("""
+[method]
+kind = "contact-dynamics"
+time_step = 0.01
+tolerance = 1e-10
+[[plane]]
+name = "lift"
+point = [0, 0]
+normal = [0, 1]
+motion = "force"
+force = [0, 5]
+mass = 2
+[[grain]]
+position = [0, 0.5]
+[[grain]]
+position = [3, 0.5]
+[stop]
+time = 2
+""")
+    with h5py.File(folder / "run.h5") as file:
+        way = file["series/wall_displacement"][-1]
+    # Leapfrog: exact at whole steps but for the first half step.
+    assert abs(way[0] - 0.5 * (5 - 2) / 4 * 2**2) < 1e-6
+
+
+# Two runs cut off in different places, one of them by kill -9, end with the same bits as the whole one.
+@pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL])
+def test_resume_goes_on_with_the_same_bits(lab, how, tmp_path):
+    text = SEQUENTIAL % 60 + "checkpoint = 0.05\n"
+    whole = summary(lab.run(text))
+    scene = tmp_path / "cut.toml"
+    scene.write_text(text)
+    folder = tmp_path / "cut"
+    process = subprocess.Popen([PROGRAM, "run", scene, "--out", folder, "--quiet"])
+    time.sleep(0.25)
+    process.send_signal(how)
+    process.wait()
+    subprocess.run([PROGRAM, "resume", folder, "--threads", "2", "--quiet"], check=True)
+    again = summary(folder)
+    assert again["state_hash"] == whole["state_hash"]
+    assert again["solver"]["contact_iterations"] == whole["solver"]["contact_iterations"]
+
+
+def test_unconverged_steps_warn_or_stop(tmp_path):
+    text = SEQUENTIAL % 30
+    short = ["--set", "method.most_sweeps=3"]
+    scene = tmp_path / "short.toml"
+    scene.write_text(text)
+    warned = subprocess.run([PROGRAM, "run", scene, "--out", tmp_path / "a", *short], capture_output=True, text=True)
+    assert warned.returncode == 0
+    assert "did not converge" in warned.stdout
+    stopped = subprocess.run([PROGRAM, "run", scene, "--out", tmp_path / "b", *short, "--set",
+                              "method.unconverged=error"], capture_output=True, text=True)
+    assert stopped.returncode == 1
+    assert "did not converge" in stopped.stderr
+    assert summary(tmp_path / "b")["status"] == "failed"
+
+
+@pytest.mark.parametrize("more, said", [
+    ("method.critical_angle=91", "method.critical_angle = 91: must be >= 0 and <= 90"),
+    ("contact.friction=-1", "contact.friction = -1: must be >= 0, or inf"),
+    ("contact.rolling_friction=0.3", "method.critical_angle = 50 says 1.19175"),
+    ("contact.restitution=1.5", "contact.restitution = 1.5: must be >= 0 and <= 1"),
+    ("contact.normal.law=hooke", "contact.normal"),
+    ("contact.weakening_velocity=0.1", "infinite friction cannot weaken"),
+    ("method.tolerance=0", "method.tolerance = 0: must be > 0"),
+    ("method.most_sweeps=0", "method.most_sweeps = 0: must be a whole number from 1"),
+    ("method.unconverged=maybe", "method.unconverged"),
+    ("method.time_step=1", "radii of the smallest grain in a step; at most 1"),
+    ("gravity=0", "needs gravity > 0"),
+    ("source.half_width=50", "grains must be released within the box"),
+    ("output.energy=true", "output.energy"),
+])
+def test_refused(tmp_path, more, said):
+    scene = tmp_path / "scene.toml"
+    scene.write_text(SEQUENTIAL % 30)
+    tried = subprocess.run([PROGRAM, "run", scene, "--out", tmp_path / "out", "--set", more], capture_output=True,
+                           text=True)
+    assert tried.returncode == 2
+    assert said in tried.stderr, tried.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_sequential_source_is_of_contact_dynamics(tmp_path):
+    scene = tmp_path / "scene.toml"
+    scene.write_text("[source]\nkind = \"sequential\"\n[stop]\ntime = 1\n")
+    tried = subprocess.run([PROGRAM, "check", scene], capture_output=True, text=True)
+    assert tried.returncode == 2 and "source.kind" in tried.stderr
