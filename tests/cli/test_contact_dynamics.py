@@ -45,7 +45,8 @@ def test_grains_are_laid_down_one_by_one(lab):
     assert abs(found["weight_error"]) < 1e-3
     solver = found["solver"]
     assert solver["steps"] == found["steps"] and solver["tolerance"] == 1e-4
-    assert solver["unconverged"] <= 0.1 * solver["steps"]
+    # The cap is for steps that cycle; in this small packing 1 % do, and none would be another solver.
+    assert solver["unconverged"] <= 0.05 * solver["steps"]
 
 
 def test_solver_has_series(lab):
@@ -130,22 +131,56 @@ time = 2
     assert abs(way[0] - 0.5 * (5 - 2) / 4 * 2**2) < 1e-6
 
 
-# Two runs cut off in different places, one of them by kill -9, end with the same bits as the whole one.
+# A run that is cut off in its middle, by Ctrl-C or kill -9, ends with the same bits as the whole one.
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL])
 def test_resume_goes_on_with_the_same_bits(lab, how, tmp_path):
-    text = SEQUENTIAL % 60 + "checkpoint = 0.05\n"
+    text = SEQUENTIAL % 110 + "checkpoint = 0.02\n"
     whole = summary(lab.run(text))
     scene = tmp_path / "cut.toml"
     scene.write_text(text)
     folder = tmp_path / "cut"
     process = subprocess.Popen([PROGRAM, "run", scene, "--out", folder, "--quiet"])
-    time.sleep(0.25)
+    time.sleep(0.4 * whole["wall_seconds"])
     process.send_signal(how)
-    process.wait()
+    assert process.wait() == (130 if how == signal.SIGINT else -signal.SIGKILL)
     subprocess.run([PROGRAM, "resume", folder, "--threads", "2", "--quiet"], check=True)
     again = summary(folder)
     assert again["state_hash"] == whole["state_hash"]
     assert again["solver"]["contact_iterations"] == whole["solver"]["contact_iterations"]
+
+
+# A disc that may not roll slides on a floor whose friction is 0.4 at rest and 0.1 from slip 0.5 on: dv/dt = -0.1 down to
+# that, then -mu(v) g with mu = 0.4 - 0.6 v, so that v = 0.5 exp(0.6 t) - (0.4/0.6)(exp(0.6 t) - 1). From 1.0 it is at 0.5
+# after 5, and stops where exp(0.6 t) = 4. Each step takes the slip before it: an error of the order of dt.
+def test_friction_weakens_with_slip(lab):
+    folder = lab.run("""
+[method]
+kind = "contact-dynamics"
+time_step = 0.001
+[contact]
+friction = 0.4
+rolling_friction = inf
+weakening_velocity = 0.5
+dynamic_friction = 0.1
+[base]
+kind = "plane"
+[[grain]]
+position = [0, 0.5]
+velocity = [1, 0]
+[stop]
+time = 9
+[output]
+frames = 1
+series = 1
+""")
+    with h5py.File(folder / "run.h5") as file:
+        energy, t = file["series/kinetic_energy_per_grain"][:], file["series/time"][:]
+    speed = np.sqrt(2 * energy)
+    early, late = t <= 4.5, (t > 5.5) & (t < 7)
+    weak = lambda s: 0.5 * np.exp(0.6 * s) - (0.4 / 0.6) * (np.exp(0.6 * s) - 1)
+    assert np.abs(speed - (1 - 0.1 * t))[early].max() < 1e-3
+    assert late.any() and np.abs(speed[late] - weak(t[late] - 5)).max() < 3e-3
+    assert speed[-1] < 1e-9
 
 
 def test_unconverged_steps_warn_or_stop(tmp_path):
@@ -170,6 +205,7 @@ def test_unconverged_steps_warn_or_stop(tmp_path):
     ("contact.restitution=1.5", "contact.restitution = 1.5: must be >= 0 and <= 1"),
     ("contact.normal.law=hooke", "contact.normal"),
     ("contact.weakening_velocity=0.1", "infinite friction cannot weaken"),
+    ("contact.weakening_velocity=0.1", "contact.dynamic_friction: missing"),
     ("method.tolerance=0", "method.tolerance = 0: must be > 0"),
     ("method.most_sweeps=0", "method.most_sweeps = 0: must be a whole number from 1"),
     ("method.unconverged=maybe", "method.unconverged"),

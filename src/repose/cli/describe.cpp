@@ -211,7 +211,6 @@ std::string describe(const Scene& scene) {
 }
 
 std::string describe_contacts(const Scene& scene) {
-  if (scene.method.rigid()) return "";
   const auto names = scene.material_names();
   const auto laws = scene.material_laws();
   const double d = scene.grains.diameter;

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>
+#include <type_traits>
 
 namespace repose {
 
@@ -134,13 +135,20 @@ constexpr EnergyColumn energy_columns[] = {
     {"walls", &Energy::walls, "dissipated at walls"},
 };
 
+/// One number of each row.
+template <class Value>
+void write_column(Hdf5File& file, const std::string& path, const std::vector<SeriesRow>& rows, const std::string& unit,
+                  const std::string& meaning, const Value& value) {
+  std::vector<std::decay_t<decltype(value(SeriesRow{}))>> values;
+  values.reserve(rows.size());
+  for (const auto& row : rows) values.push_back(value(row));
+  file.dataset(path, values, 1, unit, meaning);
+}
+
 void write_energy(Hdf5File& file, const std::vector<SeriesRow>& rows) {
   file.group("energy");
-  std::vector<double> values;
-  const auto column = [&](const char* name, const char* unit, const char* meaning, const auto& value) {
-    values.clear();
-    for (const auto& row : rows) values.push_back(value(row));
-    file.dataset(fmt::format("energy/{}", name), values, 1, unit, meaning);
+  const auto column = [&](const std::string& name, const char* unit, const char* meaning, const auto& value) {
+    write_column(file, "energy/" + name, rows, unit, meaning, value);
   };
   column("time", "T", "of the rows; energies are those of half a step before",
          [](const auto& row) { return row.time; });
@@ -166,10 +174,8 @@ constexpr SolverColumn solver_columns[] = {
 
 void write_solver(Hdf5File& file, const std::vector<SeriesRow>& rows) {
   file.group("solver");
-  const auto column = [&](const char* name, const char* unit, const std::string& meaning, const auto& value) {
-    std::vector<std::decay_t<decltype(value(rows[0]))>> values;
-    for (const auto& row : rows) values.push_back(value(row));
-    file.dataset(fmt::format("solver/{}", name), values, 1, unit, meaning);
+  const auto column = [&](const std::string& name, const char* unit, const std::string& meaning, const auto& value) {
+    write_column(file, "solver/" + name, rows, unit, meaning, value);
   };
   column("time", "T", "of the rows", [](const auto& row) { return row.time; });
   for (const auto& entry : solver_columns) {
@@ -183,30 +189,20 @@ void write_solver(Hdf5File& file, const std::vector<SeriesRow>& rows) {
 }
 
 void write_series(Hdf5File& file, const std::vector<SeriesRow>& rows) {
-  std::vector<double> time;
-  std::vector<std::int64_t> grains;
-  std::vector<std::int64_t> lost;
-  std::vector<std::int64_t> contacts;
-  std::vector<double> energy;
-  std::vector<double> residual;
-  std::vector<double> overlap;
-  for (const auto& row : rows) {
-    time.push_back(row.time);
-    grains.push_back(row.grains);
-    lost.push_back(row.lost);
-    contacts.push_back(row.contacts);
-    energy.push_back(row.kinetic_energy_per_grain);
-    residual.push_back(row.force_residual);
-    overlap.push_back(row.max_overlap);
-  }
   file.group("series");
-  file.dataset("series/time", time, 1, "T", "time");
-  file.dataset("series/grains", grains, 1, "", "moving grains present");
-  file.dataset("series/lost", lost, 1, "", "grains that have left");
-  file.dataset("series/contacts", contacts, 1, "", "contacts above the force threshold");
-  file.dataset("series/kinetic_energy_per_grain", energy, 1, "M L^2/T^2", "translation and rotation");
-  file.dataset("series/force_residual", residual, 1, "grain weights", "mean net force on a grain over its weight");
-  file.dataset("series/max_overlap", overlap, 1, "", "deepest overlap over the mean diameter of the pair");
+  const auto column = [&](const std::string& name, const char* unit, const char* meaning, const auto& value) {
+    write_column(file, "series/" + name, rows, unit, meaning, value);
+  };
+  column("time", "T", "time", [](const auto& row) { return row.time; });
+  column("grains", "", "moving grains present", [](const auto& row) { return row.grains; });
+  column("lost", "", "grains that have left", [](const auto& row) { return row.lost; });
+  column("contacts", "", "contacts above the force threshold", [](const auto& row) { return row.contacts; });
+  column("kinetic_energy_per_grain", "M L^2/T^2", "translation and rotation",
+         [](const auto& row) { return row.kinetic_energy_per_grain; });
+  column("force_residual", "grain weights", "mean net force on a grain over its weight",
+         [](const auto& row) { return row.force_residual; });
+  column("max_overlap", "", "deepest overlap over the mean diameter of the pair",
+         [](const auto& row) { return row.max_overlap; });
 }
 
 /// Throws InputError unless every column has as many values as the first.

@@ -85,8 +85,10 @@ void check_boundaries(const Scene& scene, Reader& reader) {
   }
   if (scene.box.x == "periodic" && reader.sound("box.half_width")) {
     if (scene.box.half_width < 4.0 * scene.largest_diameter()) {
-      reader.problem("box.half_width",
-                     fmt::format(" = {}: a periodic box must be at least 8 diameters wide", scene.box.half_width));
+      const bool counted = scene.base.kind == "contiguous";
+      reader.problem(counted ? "base.count" : "box.half_width",
+                     fmt::format(" = {}: a periodic box must be at least 8 of the largest diameters wide",
+                                 counted ? static_cast<double>(scene.base.count) : scene.box.half_width));
     }
     const double discs = 2.0 * scene.box.half_width / scene.base.spacing;
     if (scene.base.kind == "row" && reader.sound("base.spacing") &&

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <limits>
 
 namespace repose {
@@ -85,8 +84,8 @@ void impulse_keys(const std::string& prefix, ImpulseLaw& law, const ImpulseLaw& 
   keys.number(prefix + "weakening_velocity", law.weakening_velocity, like.weakening_velocity, not_negative, "L/T",
               "slip at which friction has fallen to dynamic_friction, linearly; 0: it does not weaken");
   if (!(law.weakening_velocity > 0.0)) return;
-  const double dynamic = std::isfinite(like.dynamic_friction) ? like.dynamic_friction : 0.0;
-  keys.number(prefix + "dynamic_friction", law.dynamic_friction, dynamic, not_negative, "",
+  keys.number(prefix + "dynamic_friction", law.dynamic_friction,
+              like.weakening_velocity > 0.0 ? like.dynamic_friction : required, not_negative, "",
               "friction of contacts that slide so fast");
 }
 

@@ -38,7 +38,7 @@ double Scene::largest_drawn() const {
 
 double Scene::smallest_diameter() const {
   double smallest = smallest_drawn();
-  if (base.kind == "row") smallest = std::min(smallest, grains.diameter);
+  if (base.kind == "row" || base.kind == "contiguous") smallest = std::min(smallest, grains.diameter);
   if (start.largest > 0.0) smallest = std::min(smallest, start.smallest);
   for (const auto& grain : placed) smallest = std::min(smallest, grain.diameter);
   return smallest;
@@ -46,7 +46,7 @@ double Scene::smallest_diameter() const {
 
 double Scene::largest_diameter() const {
   double largest = std::max(largest_drawn(), start.largest);
-  if (base.kind == "row") largest = std::max(largest, grains.diameter);
+  if (base.kind == "row" || base.kind == "contiguous") largest = std::max(largest, grains.diameter);
   for (const auto& grain : placed) largest = std::max(largest, grain.diameter);
   return largest;
 }

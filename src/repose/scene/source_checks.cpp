@@ -13,7 +13,7 @@ namespace {
 /// A lattice pile stands on what it can stand on, and within the box.
 void check_pile(const Scene& scene, Reader& reader) {
   const auto& source = scene.source;
-  if ((scene.base.kind == "none" || scene.base.kind == "deposited") && reader.sound("source.kind") &&
+  if (scene.base.kind != "row" && scene.base.kind != "plane" && reader.sound("source.kind") &&
       reader.sound("base.kind")) {
     reader.problem("source.kind", " = \"lattice\": needs a base to stand on: base.kind = \"row\" or \"plane\"");
   }

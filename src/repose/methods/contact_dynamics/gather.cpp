@@ -109,7 +109,7 @@ class Gathering {
       set_masses(line, first.inverse_mass, other.inverse_mass);
     } else {
       const auto& direction = problem_.wall_direction[line.second - problem_.first_wall];
-      set_piston_masses(line, first.inverse_mass, other.inverse_mass, direction);
+      set_wall_masses(line, first.inverse_mass, other.inverse_mass, direction);
     }
     const double opening = opening_velocity(line, first, other);
     const Tangent<D> slip = slip_velocity(line, first, other);

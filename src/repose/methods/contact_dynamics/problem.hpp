@@ -109,15 +109,37 @@ REPOSE_FN void turn(const ContactLine<D>& c, const Spin<D>& roll, Body<D>& a, Bo
   b.rim_velocity -= roll * (factor * (2.0 - c.first_turn) * b.inverse_mass);
 }
 
-/// The same where the second is a wall: it never turns, and moves along one direction or not at all.
+/// Hands impulses to the two bodies of a contact, where nothing moves but what can move any way.
+struct FreeBodies {
+  template <int D>
+  REPOSE_FN void push(const ContactLine<D>& c, double normal, const Tangent<D>& tangent, Body<D>& a, Body<D>& b) const {
+    contact_dynamics::push(c, normal, tangent, a, b);
+  }
+  template <int D>
+  REPOSE_FN void turn(const ContactLine<D>& c, const Spin<D>& roll, Body<D>& a, Body<D>& b) const {
+    contact_dynamics::turn(c, roll, a, b);
+  }
+};
+
+/// The same where some bodies are pistons: a wall never turns, and moves along one direction or not at all.
 template <int D>
-REPOSE_FN void push_wall(const ContactLine<D>& c, double normal, const Tangent<D>& tangent, const Vec<D>& direction,
-                         Body<D>& a, Body<D>& wall) {
-  Body<D> still;
-  push(c, normal, tangent, a, still);
-  const Vec<D> impulse = c.normal * normal + in_space(tangent, c.normal);
-  wall.velocity -= direction * (dot(impulse, direction) * wall.inverse_mass);
-}
+struct WithPistons {
+  std::size_t first_wall;
+  const Vec<D>* direction;
+
+  REPOSE_FN void push(const ContactLine<D>& c, double normal, const Tangent<D>& tangent, Body<D>& a, Body<D>& b) const {
+    if (c.second < first_wall) return contact_dynamics::push(c, normal, tangent, a, b);
+    Body<D> still;
+    contact_dynamics::push(c, normal, tangent, a, still);
+    const auto& along = direction[c.second - first_wall];
+    const Vec<D> impulse = c.normal * normal + in_space(tangent, c.normal);
+    b.velocity -= along * (dot(impulse, along) * b.inverse_mass);
+  }
+  REPOSE_FN void turn(const ContactLine<D>& c, const Spin<D>& roll, Body<D>& a, Body<D>& b) const {
+    Body<D> still;
+    contact_dynamics::turn(c, roll, a, c.second < first_wall ? b : still);
+  }
+};
 
 /// Sets the masses of a contact from its levers and the bodies.
 template <int D>
@@ -131,15 +153,15 @@ void set_masses(ContactLine<D>& c, double first_inverse_mass, double second_inve
       (factor * (c.first_turn * c.first_turn * first_inverse_mass + second_turn * second_turn * second_inverse_mass));
 }
 
-/// The masses of a contact with a piston that moves along `direction`: as much of it as the impulse can move. In 3D the
+/// The same with a wall that moves along `direction`, or not at all: as much of it as the impulse can move. In 3D the
 /// tangent plane yields unevenly, and its mass is that of where it yields most, with which sweeps converge too.
 template <int D>
-void set_piston_masses(ContactLine<D>& c, double inverse_mass, double piston_inverse_mass, const Vec<D>& direction) {
+void set_wall_masses(ContactLine<D>& c, double inverse_mass, double wall_inverse_mass, const Vec<D>& direction) {
   const double across = dot(c.normal, direction);
   set_masses(c, inverse_mass, 0.0);
-  c.normal_mass = 1.0 / (inverse_mass + across * across * piston_inverse_mass);
+  c.normal_mass = 1.0 / (inverse_mass + across * across * wall_inverse_mass);
   c.tangent_mass = 1.0 / (inverse_mass * (1.0 + inverse_inertia_factor<D> * c.lever * c.lever) +
-                          (1.0 - across * across) * piston_inverse_mass);
+                          (1.0 - across * across) * wall_inverse_mass);
 }
 
 /// All contacts of one step, with the velocities that there would be without them.
@@ -154,23 +176,18 @@ struct Problem {
   std::size_t first_wall = std::numeric_limits<std::size_t>::max();  ///< bodies from this one on are walls
   bool pistons = false;                                              ///< whether the contacts move some of them
   std::vector<Vec<D>> wall_direction;                                ///< along which each wall moves
+
+  WithPistons<D> with_pistons() const { return {first_wall, wall_direction.data()}; }
 };
 
 /// Velocities from the impulses alone, whatever they were before.
 template <int D>
 void add_impulses(const Problem<D>& problem, std::vector<Body<D>>& bodies) {
   bodies = problem.free;
+  const auto among = problem.with_pistons();
   for (const auto& c : problem.contacts) {
-    auto& a = bodies[c.first];
-    auto& b = bodies[c.second];
-    if (c.second < problem.first_wall) {
-      push(c, c.impulse.normal, c.impulse.tangent, a, b);
-      turn(c, c.impulse.roll, a, b);
-      continue;
-    }
-    Body<D> still;
-    push_wall(c, c.impulse.normal, c.impulse.tangent, problem.wall_direction[c.second - problem.first_wall], a, b);
-    turn(c, c.impulse.roll, a, still);
+    among.push(c, c.impulse.normal, c.impulse.tangent, bodies[c.first], bodies[c.second]);
+    among.turn(c, c.impulse.roll, bodies[c.first], bodies[c.second]);
   }
 }
 
