@@ -18,6 +18,17 @@ double velocity_scale(const Problem<D>& problem) {
   return scale > 0.0 ? scale : 1.0;
 }
 
+/// By how much a contact that slides under infinite friction drives its slip instead of braking it [L/T].
+template <int D>
+double off_sliding(const ContactLine<D>& c, const Tangent<D>& slip) {
+  const Tangent<D> push = c.impulse.tangent * (1.0 / c.tangent_mass);
+  const double size = std::max(magnitude(push), magnitude(slip));
+  if (!(size > 0.0)) return 0.0;
+  return magnitude(Tangent<D>(push + slip)) <= magnitude(Tangent<D>(push - slip))
+             ? 0.0
+             : std::min(magnitude(push), magnitude(slip));
+}
+
 template <int D>
 Residual residual(const Problem<D>& problem, std::vector<Body<D>>& bodies) {
   add_impulses(problem, bodies);
@@ -37,8 +48,18 @@ Residual residual(const Problem<D>& problem, std::vector<Body<D>>& bodies) {
     const Tangent<D> tangent =
         project(Tangent<D>(p.tangent - slip * c.tangent_mass), friction_limit(c.friction, p.normal));
     const Spin<D> turning = project(Spin<D>(p.roll - roll * c.roll_mass), friction_limit(c.rolling_friction, p.normal));
-    take(worst.normal, std::fabs(p.normal - normal) / c.normal_mass);
-    take(worst.tangential, magnitude(Tangent<D>(p.tangent - tangent)) / c.tangent_mass);
+    double off_normal = std::fabs(p.normal - normal) / c.normal_mass;
+    double off_tangent = magnitude(Tangent<D>(p.tangent - tangent)) / c.tangent_mass;
+    if (std::isinf(c.friction)) {
+      const double sliding_normal = std::max(std::fabs(p.normal) / c.normal_mass, std::fabs(opening));
+      const double sliding_tangent = off_sliding(c, slip);
+      if (std::max(sliding_normal, sliding_tangent) < std::max(off_normal, off_tangent)) {
+        off_normal = sliding_normal;
+        off_tangent = sliding_tangent;
+      }
+    }
+    take(worst.normal, off_normal);
+    take(worst.tangential, off_tangent);
     take(worst.rolling, magnitude(Spin<D>(p.roll - turning)) / c.roll_mass);
     take(worst.complementarity, std::fabs(p.normal * opening) / c.normal_mass);
   }

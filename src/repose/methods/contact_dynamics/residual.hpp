@@ -12,8 +12,9 @@ namespace repose::contact_dynamics {
 /// By how much impulses miss the laws: velocities over the scale of the problem, the worst contact of each kind.
 ///
 /// The first three are the natural map |p - projection(p - m vbar)| / m, zero if and only if the law holds (also for a
-/// negative normal impulse, a friction beyond its limit). They know nothing of the solver: velocities are summed up
-/// from the impulses.
+/// negative normal impulse, a friction beyond its limit). Infinite friction is the limit of high friction: a contact
+/// that is pressed by nothing, touches and slides may carry any friction against its slip. Without it some steps have
+/// no solution. They know nothing of the solver: velocities are summed up from the impulses.
 struct Residual {
   double normal = 0.0;
   double tangential = 0.0;

@@ -20,31 +20,30 @@ constexpr double drift_over_velocity = 1e4;
 constexpr double shortest_leap = 8.0;
 
 /// Where friction is high, sweeps can end in a cycle: a contact opens, its friction is gone, it is pressed together
-/// again. The last quarter of the sweeps of a step that does not converge goes only part of the way at each contact and
-/// is not accelerated. That ends most cycles, and leaves residuals that are smaller by one or two orders.
-constexpr double calm_share = 0.4;
-constexpr long calm_part = 4;
+/// again. From this sweep on the friction of a contact goes only part of the way, less at every turn.
+constexpr long sweeps_before_yielding = 100;
+constexpr float share_at_turn = 0.8f;
+constexpr float share_at_no_turn = 1.005f;
 
-/// Of the way to the solution of one contact that a sweep goes.
-template <class Bodies>
-struct Wholly : Bodies {
-  static constexpr double share = 1.0;
+/// The friction of all contacts goes wholly to what solves the contact.
+struct Wholly {
+  static constexpr bool partly = false;
 };
-template <class Bodies>
-struct Calmly : Bodies {
-  static constexpr double share = calm_share;
+struct Partly {
+  static constexpr bool partly = true;
+  Yield* of;
 };
 
 template <int D, class Bodies>
-REPOSE_FN void relax_translation(const Bodies& among, ContactLine<D>& c, Body<D>& a, Body<D>& b, Impulse<D>& change) {
+REPOSE_FN void relax_translation(const Bodies& among, double share, ContactLine<D>& c, Body<D>& a, Body<D>& b,
+                                 Impulse<D>& change) {
   auto& p = c.impulse;
   const double opening = opening_velocity(c, a, b) + c.normal_bias;
   const Tangent<D> slip = slip_velocity(c, a, b) + c.tangent_bias;
-  const double normal = std::max(-p.normal, -c.normal_mass * opening) * Bodies::share;
+  const double normal = std::max(-p.normal, -c.normal_mass * opening);
   p.normal += normal;
   const Tangent<D> tangent =
-      change_within(p.tangent, Tangent<D>(slip * -c.tangent_mass), friction_limit(c.friction, p.normal)) *
-      Bodies::share;
+      change_within(p.tangent, Tangent<D>(slip * -c.tangent_mass), friction_limit(c.friction, p.normal)) * share;
   p.tangent += tangent;
   among.push(c, normal, tangent, a, b);
   change.normal += normal;
@@ -55,8 +54,7 @@ template <int D, class Bodies>
 REPOSE_FN void relax_roll(const Bodies& among, ContactLine<D>& c, Body<D>& a, Body<D>& b, Impulse<D>& change) {
   auto& p = c.impulse;
   const Spin<D> roll = change_within(p.roll, Spin<D>(roll_velocity(c, a, b) * -c.roll_mass),
-                                     friction_limit(c.rolling_friction, p.normal)) *
-                       Bodies::share;
+                                     friction_limit(c.rolling_friction, p.normal));
   p.roll += roll;
   among.turn(c, roll, a, b);
   change.roll += roll;
@@ -65,38 +63,45 @@ REPOSE_FN void relax_roll(const Bodies& among, ContactLine<D>& c, Body<D>& a, Bo
 /// Solves each contact as if the others held still, first to last and back, all in the mirrored order, so that the map
 /// is symmetric. Normal and tangential parts of a disc or sphere act on each other through the friction limit alone.
 /// Adds up what was changed: as the difference of the impulses it would drown in their rounding.
-template <bool Rolling, int D, class Bodies>
-void sweep_to_and_fro(const Bodies& among, Problem<D>& problem, std::vector<Impulse<D>>& changes) {
+template <bool Rolling, int D, class Bodies, class Way>
+void sweep_to_and_fro(const Bodies& among, const Way& way, Problem<D>& problem, std::vector<Impulse<D>>& changes) {
   auto* bodies = problem.bodies.data();
   const auto count = problem.contacts.size();
+  const auto share = [&](std::size_t k) {
+    if constexpr (Way::partly) return static_cast<double>(way.of[k].share);
+    return 1.0;
+  };
   for (std::size_t k = 0; k < count; ++k) {
     auto& c = problem.contacts[k];
     Impulse<D> change;
-    relax_translation(among, c, bodies[c.first], bodies[c.second], change);
+    relax_translation(among, share(k), c, bodies[c.first], bodies[c.second], change);
     if constexpr (Rolling) relax_roll(among, c, bodies[c.first], bodies[c.second], change);
     changes[k] = change;
   }
   for (std::size_t k = count; k-- > 0;) {
     auto& c = problem.contacts[k];
     if constexpr (Rolling) relax_roll(among, c, bodies[c.first], bodies[c.second], changes[k]);
-    relax_translation(among, c, bodies[c.first], bodies[c.second], changes[k]);
+    relax_translation(among, share(k), c, bodies[c.first], bodies[c.second], changes[k]);
+    if constexpr (Way::partly) way.of[k].take(c.impulse.normal > 0.0);
   }
 }
 
 template <int D>
-void sweep_to_and_fro(Problem<D>& problem, bool calm, std::vector<Impulse<D>>& changes) {
-  const auto sweep = [&](const auto& among) {
-    problem.rolling ? sweep_to_and_fro<true>(among, problem, changes)
-                    : sweep_to_and_fro<false>(among, problem, changes);
+void sweep_to_and_fro(Problem<D>& problem, std::vector<Yield>* yield, std::vector<Impulse<D>>& changes) {
+  const auto sweep = [&](const auto& among, const auto& way) {
+    problem.rolling ? sweep_to_and_fro<true>(among, way, problem, changes)
+                    : sweep_to_and_fro<false>(among, way, problem, changes);
   };
-  const auto either = [&](const auto& among) {
-    using Bodies = std::decay_t<decltype(among)>;
-    calm ? sweep(Calmly<Bodies>{among}) : sweep(Wholly<Bodies>{among});
-  };
+  const auto either = [&](const auto& among) { yield ? sweep(among, Partly{yield->data()}) : sweep(among, Wholly{}); };
   problem.pistons ? either(problem.with_pistons()) : either(FreeBodies{});
 }
 
 }  // namespace
+
+void Yield::take(bool is_pressed) {
+  share = is_pressed == pressed ? std::min(1.0f, share * share_at_no_turn) : share * share_at_turn;
+  pressed = is_pressed;
+}
 
 template <int D>
 void Point<D>::add(double share, const Point& other) {
@@ -146,6 +151,12 @@ void Solver<D>::begin(const Problem<D>& problem) {
   remembered_ = 0;
   foretold_square_ = 0.0;
   next_look_ = 0;
+}
+
+template <int D>
+void Solver<D>::begin_yielding(const Problem<D>& problem) {
+  yield_.clear();
+  for (const auto& c : problem.contacts) yield_.push_back({1.0f, c.impulse.normal > 0.0});
 }
 
 /// How the last sweeps changed the velocities; they began where the change was foretold from.
@@ -255,19 +266,15 @@ Solution Solver<D>::solve(Problem<D>& problem) {
   solution.residual = residual(problem, problem.bodies).worst();
   if (!(solution.residual <= settings_.tolerance) && settings_.most_sweeps > 0) {
     const double enough = settings_.tolerance * velocity_scale(problem);
-    const long calm_after = settings_.most_sweeps - settings_.most_sweeps / calm_part;
     begin(problem);
     for (;;) {
-      const bool calm = settings_.accelerated && solution.sweeps >= calm_after;
-      sweep_to_and_fro(problem, calm, change_.impulses);
+      const bool partly = solution.sweeps >= sweeps_before_yielding;
+      if (solution.sweeps == sweeps_before_yielding) begin_yielding(problem);
+      sweep_to_and_fro(problem, partly ? &yield_ : nullptr, change_.impulses);
       ++solution.sweeps;
       take_change(problem);
       if (small_enough(problem, solution, enough)) break;
-      if (calm) {
-        start_anew(product(change_, change_));
-      } else if (!settings_.accelerated || solution.sweeps % sweeps_per_look != 0 || !leap(problem)) {
-        combine();
-      }
+      if (!settings_.accelerated || solution.sweeps % sweeps_per_look != 0 || !leap(problem)) combine();
       go_on(problem);
     }
     add_impulses(problem, problem.bodies);

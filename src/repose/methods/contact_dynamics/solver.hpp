@@ -43,6 +43,14 @@ struct Point {
   void scale(double factor);
 };
 
+/// How readily the friction of a contact follows.
+struct Yield {
+  float share = 1.0f;   ///< of the way that it goes in a sweep
+  bool pressed = true;  ///< after the last sweep
+
+  void take(bool is_pressed);
+};
+
 /// Solves the contact problem by symmetric sweeps of nonlinear Gauss-Seidel from the impulses that the contacts bring.
 /// Leaves impulses, and bodies whose velocities are made of them. Source of the sweeps: Moreau (1988), Jean (1999).
 ///
@@ -62,6 +70,7 @@ class Solver {
 
  private:
   void begin(const Problem<D>& problem);
+  void begin_yielding(const Problem<D>& problem);
   void take_change(const Problem<D>& problem);
   bool small_enough(const Problem<D>& problem, Solution& solution, double enough);
   void combine();
@@ -74,6 +83,7 @@ class Solver {
   static constexpr std::size_t most_remembered = 2;
 
   SolverSettings settings_;
+  std::vector<Yield> yield_;                         // of the contacts, once it is asked for
   std::vector<double> masses_;                       // of the bodies; 0: nothing moves it
   Point<D> base_;                                    // where the next change is foretold
   Point<D> foretold_;                                // that change
