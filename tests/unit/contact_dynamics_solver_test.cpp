@@ -109,6 +109,58 @@ TEST(ContactDynamicsSolver, ResidualRejectsPlantedErrors) {
   EXPECT_GT(planted([](auto& c) { c.impulse.normal = std::nan(""); }).worst(), 0.1);
 }
 
+/// A body of mass 1 that touches a fixed one along the last axis and slides at speed 1 along the first, but for
+/// friction.
+template <int D>
+Problem<D> touching(double friction) {
+  Problem<D> problem;
+  problem.velocity_scale = 1.0;
+  problem.rolling = false;
+  problem.free.resize(2);
+  problem.free[1].inverse_mass = 1.0;
+  problem.free[1].velocity[0] = 1.0;
+  ContactLine<D> c;
+  c.normal[up<D>] = 1.0;
+  c.friction = friction;
+  c.first = 1;
+  set_masses(c, 1.0, 0.0);
+  problem.contacts.push_back(c);
+  return problem;
+}
+
+// Infinite friction as the limit of high friction: what touches and is pressed by nothing may slide against friction.
+// An impulse of -m_t / 2 leaves half of the slip. Residuals follow by hand, in units of the slip.
+TEST(ContactDynamicsSolver, ResidualKnowsSlidingUnderInfiniteFriction) {
+  auto problem = touching<2>(infinity);
+  auto& c = problem.contacts[0];
+  const double slip = slip_velocity(c, problem.free[1], problem.free[0]);
+  c.impulse.tangent = -0.5 * slip * c.tangent_mass;
+  EXPECT_NEAR(residual(problem).worst(), 0.0, 1e-15);
+  c.friction = 10.0;  // not the limit: without a normal impulse there is no friction
+  EXPECT_NEAR(residual(problem).worst(), 0.5, 1e-15);
+  c.friction = infinity;
+  c.impulse.tangent = 0.5 * slip * c.tangent_mass;  // drives
+  EXPECT_NEAR(residual(problem).worst(), 0.5, 1e-15);
+  c.impulse.tangent = -0.5 * slip * c.tangent_mass;
+  c.normal_bias = 0.2;  // opens
+  EXPECT_NEAR(residual(problem).worst(), 0.2, 1e-15);
+  c.impulse.tangent = -slip * c.tangent_mass;  // opens, and sticks by a normal impulse that is none
+  c.impulse.normal = 1e-200;
+  EXPECT_NEAR(residual(problem).worst(), 0.2, 1e-15);
+  c.normal_bias = 0.0;
+  c.impulse.normal = 0.3;  // pressed, and sticks: right but for the velocity of opening that it makes
+  EXPECT_NEAR(residual(problem).normal, 0.3, 1e-15);
+}
+
+TEST(ContactDynamicsSolver, ResidualOfSlidingSpheresKnowsTheDirection) {
+  auto problem = touching<3>(infinity);
+  auto& c = problem.contacts[0];
+  c.impulse.tangent[0] = -0.5 * c.tangent_mass;
+  EXPECT_NEAR(residual(problem).worst(), 0.0, 1e-15);
+  c.impulse.tangent[1] = 0.5 * c.tangent_mass;  // slip (0.5, 0.5) at right angles to the push (-0.5, 0.5)
+  EXPECT_NEAR(residual(problem).worst(), std::sqrt(0.5), 1e-15);
+}
+
 TEST(ContactDynamicsSolver, ResidualWithNotANumberIsNotSmall) {
   auto problem = chain(2, 0.0, 0.5, 0.0);
   problem.contacts[0].impulse.normal = std::nan("");

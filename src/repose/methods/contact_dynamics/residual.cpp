@@ -18,15 +18,37 @@ double velocity_scale(const Problem<D>& problem) {
   return scale > 0.0 ? scale : 1.0;
 }
 
-/// By how much a contact that slides under infinite friction drives its slip instead of braking it [L/T].
+/// By how much one contact misses Signorini's condition and Coulomb's law [L/T].
+struct Miss {
+  double normal = 0.0;
+  double tangential = 0.0;
+
+  double worst() const { return std::max(normal, tangential); }
+};
+
+/// The natural map. Friction is limited by the normal impulse that there should be: one too small to tell from none
+/// must not excuse infinite friction.
 template <int D>
-double off_sliding(const ContactLine<D>& c, const Tangent<D>& slip) {
-  const Tangent<D> push = c.impulse.tangent * (1.0 / c.tangent_mass);
-  const double size = std::max(magnitude(push), magnitude(slip));
-  if (!(size > 0.0)) return 0.0;
-  return magnitude(Tangent<D>(push + slip)) <= magnitude(Tangent<D>(push - slip))
-             ? 0.0
-             : std::min(magnitude(push), magnitude(slip));
+Miss natural_map(const ContactLine<D>& c, double opening, const Tangent<D>& slip) {
+  const auto& p = c.impulse;
+  const double normal = std::max(0.0, p.normal - c.normal_mass * opening);
+  const Tangent<D> tangent = project(Tangent<D>(p.tangent - slip * c.tangent_mass), friction_limit(c.friction, normal));
+  return {std::fabs(p.normal - normal) / c.normal_mass, magnitude(Tangent<D>(p.tangent - tangent)) / c.tangent_mass};
+}
+
+/// By how much a contact misses the state in which infinite friction slides: it touches, nothing presses it, and
+/// friction is opposite to slip.
+template <int D>
+Miss off_sliding(const ContactLine<D>& c, double opening, const Tangent<D>& slip) {
+  const double push = magnitude(c.impulse.tangent) / c.tangent_mass;
+  const double speed = magnitude(slip);
+  const double smaller = std::min(push, speed);
+  double sine = 1.0;
+  if (const double along = inner(c.impulse.tangent, slip) / c.tangent_mass; along < 0.0) {
+    const double cosine = along / (push * speed);
+    sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+  }
+  return {std::max(std::fabs(c.impulse.normal) / c.normal_mass, std::fabs(opening)), smaller * sine};
 }
 
 template <int D>
@@ -44,22 +66,14 @@ Residual residual(const Problem<D>& problem, std::vector<Body<D>>& bodies) {
     const Tangent<D> slip = slip_velocity(c, a, b) + c.tangent_bias;
     const Spin<D> roll = roll_velocity(c, a, b);
     const auto& p = c.impulse;
-    const double normal = std::max(0.0, p.normal - c.normal_mass * opening);
-    const Tangent<D> tangent =
-        project(Tangent<D>(p.tangent - slip * c.tangent_mass), friction_limit(c.friction, p.normal));
     const Spin<D> turning = project(Spin<D>(p.roll - roll * c.roll_mass), friction_limit(c.rolling_friction, p.normal));
-    double off_normal = std::fabs(p.normal - normal) / c.normal_mass;
-    double off_tangent = magnitude(Tangent<D>(p.tangent - tangent)) / c.tangent_mass;
+    Miss miss = natural_map(c, opening, slip);
     if (std::isinf(c.friction)) {
-      const double sliding_normal = std::max(std::fabs(p.normal) / c.normal_mass, std::fabs(opening));
-      const double sliding_tangent = off_sliding(c, slip);
-      if (std::max(sliding_normal, sliding_tangent) < std::max(off_normal, off_tangent)) {
-        off_normal = sliding_normal;
-        off_tangent = sliding_tangent;
-      }
+      const Miss sliding = off_sliding(c, opening, slip);
+      if (sliding.worst() < miss.worst()) miss = sliding;
     }
-    take(worst.normal, off_normal);
-    take(worst.tangential, off_tangent);
+    take(worst.normal, miss.normal);
+    take(worst.tangential, miss.tangential);
     take(worst.rolling, magnitude(Spin<D>(p.roll - turning)) / c.roll_mass);
     take(worst.complementarity, std::fabs(p.normal * opening) / c.normal_mass);
   }

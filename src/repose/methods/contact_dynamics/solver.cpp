@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 namespace repose::contact_dynamics {
 
@@ -153,6 +152,7 @@ void Solver<D>::begin(const Problem<D>& problem) {
   next_look_ = 0;
 }
 
+/// From here on friction follows partly.
 template <int D>
 void Solver<D>::begin_yielding(const Problem<D>& problem) {
   yield_.clear();
