@@ -82,17 +82,15 @@ count = 60
 from = "{before}"
 [method]
 kind = "contact-dynamics"
-critical_angle = 90
 speed_limit = 0.2236
-tolerance = 1e-8
-most_sweeps = 50000
 [box]
 x = "periodic"
 half_width = 8
 [stop]
 time = 25
 """
-    after = lab.run(held, out="held")
+    after = lab.run(held, "--set", "method.critical_angle=90", "--set", "method.tolerance=1e-8", "--set",
+                    "method.most_sweeps=50000", out="held")
     assert summary(after)["solver"]["unconverged"] == 0
     first, _ = places(before)
     last, fixed = places(after)
@@ -100,7 +98,7 @@ time = 25
     moved[:, 0] -= 16 * np.round(moved[:, 0] / 16)
     assert np.abs(moved[~fixed]).max() < 1e-4
     # Where nothing resists rolling it comes down.
-    rolling = summary(lab.run(held.replace("critical_angle = 90\nspeed", "critical_angle = 20\nspeed"), out="rolling"))
+    rolling = summary(lab.run(held, "--set", "method.critical_angle=20", "--set", "method.tolerance=1e-4", out="rolling"))
     assert rolling["packing"]["solid_fraction"]["mean"] > 1.1 * summary(after)["packing"]["solid_fraction"]["mean"]
 
 
