@@ -128,13 +128,12 @@ class Checks {
   }
 
   bool lengths() {
-    const auto bodies = t_.mass.size();
-    const auto contacts = t_.friction.size();
     for_each_table(t_, [&](const std::string& name, const auto& values, std::size_t columns, auto&&...) {
-      const auto wanted = name.starts_with("bodies/") ? bodies : contacts;
+      const bool of_body = name.starts_with("bodies/");
+      const auto wanted = of_body ? t_.mass.size() : t_.friction.size();
       if (values.size() == wanted * columns) return;
-      problems_.push_back(
-          fmt::format("{}: {}: has {} rows where others have {}", path_, name, values.size() / columns, wanted));
+      problems_.push_back(fmt::format("{}: {}: has {} rows where {} has {}", path_, name, values.size() / columns,
+                                      of_body ? "bodies/mass" : "contacts/friction", wanted));
     });
     return problems_.empty();
   }
@@ -170,10 +169,12 @@ class Checks {
     const auto out = [&](std::int64_t body) { return body < 0 || body >= bodies; };
     const bool there = rows("contacts/bodies", t_.friction.size(), "must be rows of bodies",
                             [&](std::size_t k) { return out(t_.bodies[2 * k]) || out(t_.bodies[2 * k + 1]); });
-    return there && rows("contacts/bodies", t_.friction.size(), "must be two bodies, the first of finite mass",
-                         [&](std::size_t k) {
-                           return t_.bodies[2 * k] == t_.bodies[2 * k + 1] || !std::isfinite(t_.mass[first(k)]);
-                         });
+    return there &&
+           rows("contacts/bodies", t_.friction.size(),
+                "must be two bodies, one of finite mass, and the first must have a radius", [&](std::size_t k) {
+                  const bool held = std::isinf(t_.mass[first(k)]) && std::isinf(t_.mass[second(k)]);
+                  return first(k) == second(k) || held || !(t_.radius[first(k)] > 0.0);
+                });
   }
 
   std::size_t first(std::size_t k) const { return static_cast<std::size_t>(t_.bodies[2 * k]); }
