@@ -24,7 +24,7 @@ int act(const ExportOptions& options) {
   const auto done = export_run(order);
   if (options.quiet) return 0;
   for (const auto& file : done.files) fmt::print("{}/{}\n", done.folder, file);
-  if (order.to == "csv") return 0;
+  if (order.to == "csv" || order.to == "contact-problem") return 0;
   fmt::print("{} {} of the run. ", done.moments, done.moments == 1 ? "state" : "states");
   if (order.to == "vtk") fmt::print("ParaView opens the .pvd files: grains as Point Gaussian or Glyph by diameter\n");
   if (order.to == "ovito") fmt::print("OVITO opens grains.dump; contacts.dump by Load trajectory, as bonds\n");
@@ -35,11 +35,14 @@ int act(const ExportOptions& options) {
 
 Command add_export(CLI::App& app) {
   auto options = std::make_shared<ExportOptions>();
-  auto* command = app.add_subcommand("export", "Write a run for ParaView, OVITO or as tables");
+  auto* command = app.add_subcommand("export", "Write a run for ParaView, OVITO, as tables or as a contact problem");
   command->add_option("DIR", options->order.folder, "Run folder")->required();
-  command->add_option("--to", options->order.to, "vtk (ParaView), ovito (LAMMPS dumps) or csv (every table)")
+  command
+      ->add_option("--to", options->order.to,
+                   "vtk (ParaView), ovito (LAMMPS dumps), csv (every table) or contact-problem (the next step of "
+                   "contact dynamics)")
       ->required()
-      ->check(CLI::IsMember({"vtk", "ovito", "csv"}));
+      ->check(CLI::IsMember({"vtk", "ovito", "csv", "contact-problem"}));
   command->add_option("--out", options->order.out, "Folder to write (default: DIR/export/FORMAT)");
   command->add_option("--frames", options->frames, "all saved frames and the last state, or the last state alone")
       ->check(CLI::IsMember({"all", "last"}));

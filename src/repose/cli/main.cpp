@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
   const auto sweep = add_sweep(app);
   const auto analyse = add_analyse(app);
   const auto exports = add_export(app);
+  const auto solve = add_solve(app);
   const auto plot = add_plot(app);
   try {
     app.parse(argc, argv);
@@ -40,7 +41,7 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : exit_bad_input;
   }
   try {
-    for (const auto& command : {run, check, resume, sweep, analyse, exports, plot}) {
+    for (const auto& command : {run, check, resume, sweep, analyse, exports, solve, plot}) {
       if (command.app->parsed()) return command.act();
     }
   } catch (const InputError& error) {

@@ -14,11 +14,14 @@
 
 namespace repose {
 
-Hdf5Reader::Hdf5Reader(std::string path) : path_(std::move(path)) {
+Hdf5Reader::Hdf5Reader(std::string path, Sealing sealing) : path_(std::move(path)) {
   set_up_hdf5();
   std::error_code error;
   if (!std::filesystem::exists(path_, error)) throw InputError(fmt::format("{}: no such file", path_));
-  if (const auto broken = broken_seal(path_); !broken.empty()) throw InputError(fmt::format("{}: {}", path_, broken));
+  const bool unsealed = sealing == Sealing::may_be_missing && !is_sealed(path_);
+  if (const auto broken = unsealed ? "" : broken_seal(path_); !broken.empty()) {
+    throw InputError(fmt::format("{}: {}", path_, broken));
+  }
   file_ = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (file_ < 0) throw InputError(fmt::format("{}: cannot be read: damaged, or not an HDF5 file", path_));
 }
@@ -41,13 +44,28 @@ bool Hdf5Reader::has(const std::string& name) const {
   return !object.failed();
 }
 
+namespace {
+
+/// Text as h5py writes it.
+std::string variable_text(hid_t attribute, hid_t type) {
+  char* characters = nullptr;
+  if (H5Aread(attribute, type, &characters) < 0 || characters == nullptr) return "";
+  std::string value(characters);
+  H5free_memory(characters);
+  return value;
+}
+
+}  // namespace
+
 std::string Hdf5Reader::text(const std::string& object, const std::string& attribute) const {
   const Handle handle(H5Aopen_by_name(file_, object.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   if (handle.failed()) fail(object, fmt::format("no attribute {}", attribute));
   const Handle type(H5Aget_type(handle.id()), H5Tclose);
-  if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) != 0) {
+  const Handle space(H5Aget_space(handle.id()), H5Sclose);
+  if (H5Tget_class(type.id()) != H5T_STRING || H5Sget_simple_extent_npoints(space.id()) != 1) {
     fail(object, fmt::format("attribute {} is not text", attribute));
   }
+  if (H5Tis_variable_str(type.id()) > 0) return variable_text(handle.id(), type.id());
   std::string value(H5Tget_size(type.id()), '\0');
   if (H5Aread(handle.id(), type.id(), value.data()) < 0) {
     fail(object, fmt::format("attribute {} cannot be read", attribute));

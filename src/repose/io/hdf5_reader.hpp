@@ -11,12 +11,15 @@
 
 namespace repose {
 
+/// What a reader asks of a file: files that other programs write, too, have no seal.
+enum class Sealing { must_be_there, may_be_missing };
+
 /// Reads one HDF5 file of ours whose seal is whole. What links lead to in other files is not looked at: open these.
 /// Every call throws InputError, one line with the file and the object, where something is missing, damaged or of
 /// another type.
 class Hdf5Reader {
  public:
-  explicit Hdf5Reader(std::string path);
+  explicit Hdf5Reader(std::string path, Sealing sealing = Sealing::must_be_there);
   ~Hdf5Reader();
   Hdf5Reader(const Hdf5Reader&) = delete;
   Hdf5Reader& operator=(const Hdf5Reader&) = delete;

@@ -8,11 +8,14 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <string_view>
 #include <vector>
 
 namespace repose {
 
 namespace {
+
+constexpr std::string_view first_line = "repose sealed file\n";
 
 /// The seal that the content of a file asks for; "" if it cannot be read.
 std::string wanted_seal(std::istream& file) {
@@ -28,7 +31,7 @@ std::string wanted_seal(std::istream& file) {
   }
   if (file.bad()) return "";
   file.clear();
-  std::string text = fmt::format("repose sealed file\nlength {}\nxxh3-128 {}\n", length, hash.text());
+  std::string text = fmt::format("{}length {}\nxxh3-128 {}\n", first_line, length, hash.text());
   text.resize(seal_size, '\0');
   return text;
 }
@@ -44,13 +47,20 @@ void seal(const std::string& path) {
   if (text.empty() || !file) throw RunError(fmt::format("{}: cannot write: no seal", path));
 }
 
+bool is_sealed(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string found(first_line.size(), '\0');
+  file.read(found.data(), static_cast<std::streamsize>(found.size()));
+  return file && found == first_line;
+}
+
 std::string broken_seal(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return "cannot be read";
   std::string found(seal_size, '\0');
   file.read(found.data(), static_cast<std::streamsize>(found.size()));
   if (static_cast<std::size_t>(file.gcount()) < seal_size) return "damaged: too short";
-  if (found.rfind("repose sealed file\n", 0) != 0) return "damaged, or not written by this version of Repose";
+  if (!found.starts_with(first_line)) return "damaged, or not written by this version of Repose";
   const auto wanted = wanted_seal(file);
   if (wanted == found) return "";
   const auto length = [](const std::string& text) { return text.substr(0, text.find("xxh3")); };

@@ -7,6 +7,7 @@
 #include "repose/io/exports.hpp"
 #include "repose/io/state.hpp"
 #include "repose/run/checkpoint.hpp"
+#include "repose/run/contact_problem.hpp"
 #include "repose/run/folders.hpp"
 #include "repose/run/record_file.hpp"
 #include "repose/run/setup.hpp"
@@ -117,6 +118,12 @@ void export_csv(const ExportOrder& order, const std::string& folder, Exported& d
   done.moments = 1;
 }
 
+void export_contact_problem(const ExportOrder& order, const std::string& folder, Exported& done) {
+  done.files = {"problem.h5"};
+  write_contact_problem(folder + "/" + done.files.front(), next_contact_problem(read_last_state(order.folder)));
+  done.moments = 1;
+}
+
 bool belongs_to_series(const std::string& name) {
   return (name.starts_with("grains_") || name.starts_with("contacts_")) && name.ends_with(".vtp");
 }
@@ -164,6 +171,7 @@ Exported export_run(const ExportOrder& order) {
     if (order.to == "vtk") export_vtk(order, beside, done);
     if (order.to == "ovito") export_ovito(order, beside, done);
     if (order.to == "csv") export_csv(order, beside, done);
+    if (order.to == "contact-problem") export_contact_problem(order, beside, done);
     move_in(beside, done.folder);
     fs::remove_all(beside);
   } catch (const fs::filesystem_error& failure) {

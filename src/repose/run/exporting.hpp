@@ -10,9 +10,9 @@ namespace repose {
 /// What to export of a run folder, and where to.
 struct ExportOrder {
   std::string folder;
-  std::string to;          ///< "vtk", "ovito" or "csv"
+  std::string to;          ///< "vtk", "ovito", "csv" or "contact-problem"
   std::string out;         ///< "": export/`to` in the run folder, which is replaced without asking
-  bool frames = true;      ///< the saved frames too, not the last state alone; not for "csv"
+  bool frames = true;      ///< the saved frames too, not the last state alone; for "vtk" and "ovito"
   bool overwrite = false;  ///< `out` may hold other files already
 };
 

@@ -44,6 +44,14 @@ class ContactDynamics final : public Method<D> {
   const contact_dynamics::Solution& solution() const { return solution_; }
   /// Of the last step, with the impulses.
   const contact_dynamics::Problem<D>& problem() const { return problem_; }
+  /// Of the step that follows on `steps` of them, not solved: contacts bring the impulses of the step before.
+  const contact_dynamics::Problem<D>& problem_after(long steps, Grains<D>& grains, Team& team) {
+    step_ = steps;
+    refresh_pairs(grains, team);
+    set_free_velocities(grains);
+    find_contacts(grains);
+    return problem_;
+  }
 
  private:
   bool step(Grains<D>& grains, Team& team);
