@@ -236,6 +236,7 @@ def test_packings_of_two_methods_are_overlaid(tmp_path):
             bars = errorbars(axes)
             assert [label for _, _, label in bars] == list(rows)
             assert len({line.get_color() for line, _, _ in bars}) == len({line.get_marker() for line, _, _ in bars}) == 2
+            assert bars[1][0].get_markerfacecolor() == "none"  # where the two lie on each other, both are seen
             for line, _, name in bars:
                 np.testing.assert_allclose(line.get_xydata(), np.column_stack([place, measure["mean"]])[rows[name]])
     assert along.axes[0].get_xlabel() == "method.critical_angle (deg)"
@@ -247,7 +248,7 @@ def test_packings_of_two_methods_are_overlaid(tmp_path):
 def test_packings_leave_out_shares_that_nobody_has(tmp_path):
     keys = (packing.DENSITY, *MEASURED, *packing.SHARES[1:4])
     shares = draw(packings(tmp_path / "sweep", METHODS, keys), "packing")[2]
-    assert [axes.get_ylabel()[:9] for axes in shares.axes] == ["share P_1", "share P_2", "share P_3"]
+    assert [axes.get_ylabel().split()[1] for axes in shares.axes] == ["$P_1$", "$P_2$", "$P_3$"]
 
 
 NO_PACKINGS = "not drawn: no packings measured over a parameter that is a number"

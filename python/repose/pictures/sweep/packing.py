@@ -17,7 +17,7 @@ DENSITY_LABEL = "solid fraction ρ"
 MEASURES = (
     ("packing.coordination.mean", "coordination z"),
     ("packing.fabric.anisotropy.mean", "anisotropy a"),
-    ("packing.fabric_folded.direction_deg.mean", "direction θ_f from the\nvertical (deg)"),
+    ("packing.fabric_folded.direction_deg.mean", "direction $θ_f$ from the\nvertical (deg)"),
 )
 SHARES = tuple(f"packing.P_{q}" for q in range(7))
 NEIGHBOURS = ("0", "1", "2", "3", "4", "5", "6+")
@@ -45,7 +45,7 @@ def draw(sweep):
         _figure(sweep, axis, over_density, MEASURES, shares if one else ()),
     ]
     if shares and not one:
-        panels = [(SHARES[q], f"share P_{q} with\n{NEIGHBOURS[q]} contact{'s' * (q != 1)}") for q in shares]
+        panels = [(SHARES[q], f"share $P_{q}$ with\n{NEIGHBOURS[q]} contact{'s' * (q != 1)}") for q in shares]
         figures.append(_figure(sweep, axis, over_density, panels))
     return figures
 
@@ -61,13 +61,15 @@ def _figure(sweep, axis, along, panels, together=()):
     grid = figure.subplots(rows, columns, squeeze=False).ravel()
     for axes, (key, label) in zip(grid, panels):
         for k, line in enumerate(axis.lines):
-            _points(axes, place, place_error, sweep.measures[key], line.rows, k, line.name)
+            points = _points(axes, place, place_error, sweep.measures[key], line.rows, k, line.name)
+            if k % 2:  # what lies under it is still seen
+                points.set_markerfacecolor("none")
         axes.set(xlabel=place_label, ylabel=label)
     if together:
         axes = grid[len(panels)]
         for q in together:
             _points(axes, place, place_error, sweep.measures[SHARES[q]], axis.lines[0].rows, q, NEIGHBOURS[q])
-        axes.set(xlabel=place_label, ylabel="share P_q with q contacts")
+        axes.set(xlabel=place_label, ylabel="share $P_q$ with q contacts")
         axes.legend(loc="upper center", ncol=4, bbox_to_anchor=(0.5, 1.16), handlelength=0.8, columnspacing=0.8)
     for axes in grid[count:]:
         axes.remove()
@@ -82,11 +84,13 @@ def _largest(sweep, key):
 
 
 def _points(axes, place, place_error, measure, rows, k, name):
+    """The markers of a series."""
     colour, marker = COLOURS[k % len(COLOURS)], MARKERS[k % len(MARKERS)]
-    bars = dict(yerr=np.nan_to_num(measure["error"][rows]))
+    errors = dict(yerr=np.nan_to_num(measure["error"][rows]))
     if place_error is not None:
-        bars["xerr"] = np.nan_to_num(place_error[rows])
+        errors["xerr"] = np.nan_to_num(place_error[rows])
     size = 2.2 if len(rows) > MANY else 4.0
-    axes.errorbar(
-        place[rows], measure["mean"][rows], fmt=marker, color=colour, markersize=size, elinewidth=0.7, label=name, **bars
+    bars = axes.errorbar(
+        place[rows], measure["mean"][rows], fmt=marker, color=colour, markersize=size, elinewidth=0.7, label=name, **errors
     )
+    return bars[0]
