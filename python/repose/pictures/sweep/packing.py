@@ -27,7 +27,6 @@ MARKERS = (*style.MARKERS, "X")
 MANY = 24  # points of a line whose markers are left small
 TOP = 0.26  # inch of the caption
 PANEL = 2.15  # inch, its height
-COLUMNS = {2: 2, 4: 2}  # by number of panels; 3 of others
 
 
 def draw(sweep):
@@ -54,7 +53,7 @@ def _figure(sweep, axis, along, panels, together=()):
     """A panel for each measure with all series, and one of the shares `together` of the only series."""
     place, place_error, place_label = along
     count = len(panels) + bool(together)
-    columns = COLUMNS.get(count, 3)
+    columns = 2 if together or count in (2, 4) else 3
     rows = -(-count // columns)
     height = PANEL * rows + TOP
     figure = Figure(figsize=(3.15 * columns if columns == 2 else 2.5 * columns, height))
