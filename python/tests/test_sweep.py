@@ -14,7 +14,7 @@ from synthetic_sweep import write_sweep
 import repose
 from repose import style
 from repose.not_drawn import NotDrawn
-from repose.pictures.sweep import SWEEP_PICTURES
+from repose.pictures.sweep import SWEEP_PICTURES, packing
 from repose.pictures.sweep.axis import axis_of, broken, without_part
 from repose.plot import main
 
@@ -194,6 +194,61 @@ def test_more_than_twelve_profiles_go_on_in_another_figure(tmp_path, capsys):
     assert main([str(folder), "--only", "profiles", "--format", "png", "--dpi", "40"]) == 0
     pictures = [str(folder / "pictures" / name) for name in ("profiles.png", "profiles-2.png")]
     assert capsys.readouterr().out.splitlines() == pictures
+
+
+MEASURED = [key for key, _ in packing.MEASURES]
+METHODS = dict(
+    names=[f"{name}_critical_angle={angle}" for name in ("deposition", "contact-dynamics") for angle in (0, 50, 90)],
+    parameters={"method.critical_angle": [0, 50, 90] * 2, "method.tolerance": [None] * 3 + [1e-3] * 3},
+)
+
+
+def packings(folder, kind, keys=(packing.DENSITY, *MEASURED, *packing.SHARES)):
+    return repose.open(write_sweep(folder, **kind, keys=keys, profiles=False))
+
+
+def test_packings_of_one_series(tmp_path):
+    """Over the parameter and over the solid fraction, all shares in one panel."""
+    sweep = packings(tmp_path / "sweep", ONE)
+    along, over_density = draw(sweep, "packing")
+    assert [axes.get_xlabel() for axes in along.axes] == ["contact.friction"] * 5
+    assert [axes.get_xlabel() for axes in over_density.axes] == ["solid fraction ρ"] * 4
+    shares = [label for _, _, label in errorbars(along.axes[4])]
+    assert shares == ["0", "1", "2", "3", "4", "5", "6+"]
+    assert not along.legends and not over_density.legends
+
+
+def test_packings_of_two_methods_are_overlaid(tmp_path):
+    """A key that only one of them has tells nothing: the points of a name are a series, and each share has a panel."""
+    sweep = packings(tmp_path / "sweep", METHODS)
+    along, over_density, shares = draw(sweep, "packing")
+    density, measured = sweep.measures[packing.DENSITY], [sweep.measures[key] for key in MEASURED]
+    rows = {"deposition": [0, 1, 2], "contact-dynamics": [3, 4, 5]}
+    for figure, place, drawn in (
+        (along, np.array([0.0, 50.0, 90.0] * 2), [density, *measured]),
+        (over_density, density["mean"], measured),
+        (shares, density["mean"], [sweep.measures[key] for key in packing.SHARES]),
+    ):
+        assert len(figure.axes) == len(drawn)
+        assert [text.get_text() for text in figure.legends[0].get_texts()] == list(rows)
+        assert figure.legends[0].get_window_extent().y0 > figure.axes[0].get_window_extent().y1
+        for axes, measure in zip(figure.axes, drawn):
+            bars = errorbars(axes)
+            assert [label for _, _, label in bars] == list(rows)
+            assert len({line.get_color() for line, _, _ in bars}) == len({line.get_marker() for line, _, _ in bars}) == 2
+            assert bars[1][0].get_markerfacecolor() == "none"  # where the two lie on each other, both are seen
+            for line, _, name in bars:
+                np.testing.assert_allclose(line.get_xydata(), np.column_stack([place, measure["mean"]])[rows[name]])
+    assert along.axes[0].get_xlabel() == "method.critical_angle (deg)"
+    sideways, upright = (part.get_segments() for part in over_density.axes[0].containers[0][2])
+    np.testing.assert_allclose([end[1, 0] - end[0, 0] for end in sideways], 2.0 * density["error"][:3])
+    np.testing.assert_allclose([end[1, 1] - end[0, 1] for end in upright], 2.0 * measured[0]["error"][:3])
+
+
+def test_packings_leave_out_shares_that_nobody_has(tmp_path):
+    keys = (packing.DENSITY, *MEASURED, *packing.SHARES[1:4])
+    shares = draw(packings(tmp_path / "sweep", METHODS, keys), "packing")[2]
+    assert [axes.get_ylabel().split()[1] for axes in shares.axes] == ["$P_1$", "$P_2$", "$P_3$"]
 
 
 NO_PACKINGS = "not drawn: no packings measured over a parameter that is a number"

@@ -70,6 +70,21 @@ TEST(Fields, NothingThere) {
   EXPECT_TRUE(coarse_grained(none, {}, {}, {}, 1.0).density.empty());
 }
 
+// A cell of a periodic box is no wider than it, so that no grid of four million reaches from 0 to 1e9.
+TEST(Fields, FlownAwayInAPeriodicBox) {
+  Grains<2> grains;
+  grains.add(unit_disc(0.0, 0.0), 0);
+  grains.add(unit_disc(0.0, 1e9), 1);
+  Box<2> box;
+  box.periodic = true;
+  box.x_min = -8.0;
+  box.x_max = 8.0;
+  EXPECT_TRUE(coarse_grained(grains, {}, all_of(grains), box, 1.0).density.empty());
+  grains.line[1].position[1] = 1e6;
+  const auto far = coarse_grained(grains, {}, all_of(grains), box, 1.0);
+  EXPECT_NEAR(sum(far.density) * far.cell * far.cell, 2.0, 1e-12);
+}
+
 // A plane Gaussian about a single disc, from its definition; the cell average of a function f differs from its value in
 // the middle by cell^2 laplace(f) / 24 and terms of cell^4, which are 1.2e-5 at most here.
 TEST(Fields, DensityOfOneDiscIsTheGaussian) {

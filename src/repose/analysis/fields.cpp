@@ -217,6 +217,8 @@ Fields coarse_grained(const Grains<2>& grains, const Contacts<2>& contacts, cons
     }
   }
 
+  // Cells of a periodic box are no wider than it.
+  if (box.periodic && high[1] - low[1] + 2.0 * reach * width > 0.5 * most_cells * box.width()) return fields;
   Grid grid = make_grid(low, high, box, width, fields.cell);
   for (double cell = fields.cell; grid.cells() > most_cells; grid = make_grid(low, high, box, width, cell))
     cell *= 1.25;

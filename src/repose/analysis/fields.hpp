@@ -36,8 +36,9 @@ struct Fields {
 /// 8.5 widths, beyond which 2e-17 of it lies; what it gives to the cells telescopes, so that totals are exact to
 /// rounding without normalisation. Cells are width/2 wide or, in a periodic box, the largest that divide the box's
 /// width and are no wider; their edges are at multiples of the side, from x_min in a periodic box, where columns wrap.
-/// The cell grows where the grid would exceed four million cells. Without grains in the heap there are no cells. Cost:
-/// about 25 microseconds per contact.
+/// The cell grows where the grid would exceed four million cells. Without grains in the heap there are no cells, nor
+/// where one has flown away in a periodic box, so that too many of the widest cells would be needed. Cost: about 25
+/// microseconds per contact.
 ///
 /// Source: Goldhirsch, Granular Matter 12, 239 (2010); supports after Weinhart et al., Granular Matter 14, 289 (2012).
 /// Validated by tests/unit/fields_test.cpp.

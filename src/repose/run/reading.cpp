@@ -107,7 +107,7 @@ Reading read(const Record& record) {
   reading.forces = read_force_statistics(contacts, threshold);
   reading.chains = read_chains(grains, contacts, threshold, box);
   reading.fields = coarse_grained(grains, contacts, in_heap, box, scene.analysis.field_width);
-  if (mass > 0.0) {
+  if (mass > 0.0 && !reading.fields.density.empty()) {
     double sum = 0.0;
     for (const double density : reading.fields.density) sum += density;
     reading.field_weight_error = sum * reading.fields.cell * reading.fields.cell / mass - 1.0;

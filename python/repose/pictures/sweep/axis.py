@@ -11,6 +11,7 @@ from repose import style
 
 WIDE = 20.0  # ratio of the ends of a logarithmic axis, at least
 LONGEST_LINE = 22  # letters of a name before it is broken
+UNITS = {"method.critical_angle": "deg"}  # of keys whose unit is that in every scene
 
 
 @dataclass(frozen=True)
@@ -70,6 +71,11 @@ def short(key):
     return key.rsplit(".", 1)[-1]
 
 
+def key_label(key):
+    """A key as the label of an axis, with its unit if that is the same in every scene."""
+    return f"{key} ({UNITS[key]})" if key in UNITS else key
+
+
 def draw_measure(axes, axis, mean, error, place=None, values=None):
     """Means (P) with their errors over the axis; as faint dots the members' `values` (K), of the points `place` (K)."""
     for k, line in enumerate(axis.lines):
@@ -94,7 +100,7 @@ def label_axis(axes, axis, sweep, value_label, names=True):
             axes.set_xscale("log")
         else:
             axes.locator_params(axis="x", nbins=5, steps=[1, 2, 5, 10])
-        axes.set_xlabel(axis.key)
+        axes.set_xlabel(key_label(axis.key))
         axes.set_ylabel(value_label)
         return
     axes.set_ylim(len(sweep.points) - 0.5, -0.5)
