@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace repose::contact_dynamics {
 
@@ -17,6 +18,10 @@ namespace {
 constexpr long sweeps_per_look = 4;
 constexpr double drift_over_velocity = 1e4;
 constexpr double shortest_leap = 8.0;
+
+/// What does not converge ends with the best that was seen at one of these looks.
+constexpr long sweeps_before_watching = 200;
+constexpr long sweeps_per_watch = 20;
 
 /// Where friction is high, sweeps can end in a cycle: a contact opens, its friction is gone, it is pressed together
 /// again. From this sweep on the friction of a contact goes only part of the way, less at every turn.
@@ -171,18 +176,30 @@ void Solver<D>::take_change(const Problem<D>& problem) {
   }
 }
 
-/// The true residual costs half a sweep: looked at only when the velocities hardly change, and ever less often.
+/// The true residual costs half a sweep: looked at when the velocities hardly change, ever less often, and now and then.
 template <int D>
-bool Solver<D>::small_enough(const Problem<D>& problem, Solution& solution, double enough) {
+bool Solver<D>::look_is_due(const Solution& solution, double enough) const {
+  if (solution.sweeps >= settings_.most_sweeps) return true;
+  if (solution.sweeps >= sweeps_before_watching && solution.sweeps % sweeps_per_watch == 0) return true;
+  if (solution.sweeps < next_look_) return false;
   double fastest = 0.0;
   for (const auto& motion : change_.motions) {
     fastest = std::max(fastest, squared(motion.velocity) + repose::squared(motion.rim_velocity));
   }
-  const bool last = solution.sweeps >= settings_.most_sweeps;
-  if (!last && (fastest > enough * enough || solution.sweeps < next_look_)) return false;
-  solution.residual = residual(problem, scratch_).worst();
+  return fastest <= enough * enough;
+}
+
+/// Whether these impulses are what was wanted; keeps them if they are the best so far.
+template <int D>
+bool Solver<D>::small_enough(const Problem<D>& problem, Solution& solution) {
+  const double now = residual(problem, scratch_).worst();
   next_look_ = solution.sweeps + 2 + solution.sweeps / 16;
-  return last || solution.residual <= settings_.tolerance;
+  if (now < solution.residual) {
+    solution.residual = now;
+    best_.clear();
+    for (const auto& c : problem.contacts) best_.push_back(c.impulse);
+  }
+  return now <= settings_.tolerance;
 }
 
 /// From where the last sweeps ended, without what is remembered.
@@ -263,9 +280,11 @@ Solution Solver<D>::solve(Problem<D>& problem) {
   Solution solution;
   problem.bodies = problem.free;
   if (problem.contacts.empty()) return solution;
-  solution.residual = residual(problem, problem.bodies).worst();
-  if (!(solution.residual <= settings_.tolerance) && settings_.most_sweeps > 0) {
+  best_.clear();
+  solution.residual = std::numeric_limits<double>::infinity();
+  if (!small_enough(problem, solution) && settings_.most_sweeps > 0) {
     const double enough = settings_.tolerance * velocity_scale(problem);
+    add_impulses(problem, problem.bodies);
     begin(problem);
     for (;;) {
       const bool partly = solution.sweeps >= sweeps_before_yielding;
@@ -273,12 +292,14 @@ Solution Solver<D>::solve(Problem<D>& problem) {
       sweep_to_and_fro(problem, partly ? &yield_ : nullptr, change_.impulses);
       ++solution.sweeps;
       take_change(problem);
-      if (small_enough(problem, solution, enough)) break;
+      if (look_is_due(solution, enough) && small_enough(problem, solution)) break;
+      if (solution.sweeps >= settings_.most_sweeps) break;
       if (!settings_.accelerated || solution.sweeps % sweeps_per_look != 0 || !leap(problem)) combine();
       go_on(problem);
     }
-    add_impulses(problem, problem.bodies);
+    for (std::size_t k = 0; k < best_.size(); ++k) problem.contacts[k].impulse = best_[k];
   }
+  add_impulses(problem, problem.bodies);
   solution.converged = solution.residual <= settings_.tolerance;
   return solution;
 }

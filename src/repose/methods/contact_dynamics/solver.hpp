@@ -72,7 +72,8 @@ class Solver {
   void begin(const Problem<D>& problem);
   void begin_yielding(const Problem<D>& problem);
   void take_change(const Problem<D>& problem);
-  bool small_enough(const Problem<D>& problem, Solution& solution, double enough);
+  bool look_is_due(const Solution& solution, double enough) const;
+  bool small_enough(const Problem<D>& problem, Solution& solution);
   void combine();
   void start_anew(double square);
   bool leap(const Problem<D>& problem);
@@ -93,7 +94,8 @@ class Solver {
   std::size_t remembered_ = 0;
   std::size_t newest_ = 0;
   double foretold_square_ = 0.0;
-  long next_look_ = 0;  // sweeps
+  std::vector<Impulse<D>> best_;  // of the least residual that was seen
+  long next_look_ = 0;            // sweeps
   std::vector<Body<D>> scratch_;
 };
 
