@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Contact-iterations per second of contact dynamics in a bed that was settled in a periodic box: a contact visited by a
-// sweep, one way, is one. `sweeps` measures the solver at work from no impulses, `steps` whole steps with warm start.
+// sweep, one way, is one. `sweeps` measures the solver at work from no impulses, `steps` whole steps with warm start;
+// `one_by_one` and `packed` the bare sweeps, contact by contact and in packs (instructions: 0 baseline, 1 AVX2,
+// 2 AVX-512), and `build` how long it takes to put the contacts into packs.
 #include "repose/core/random.hpp"
 #include "repose/methods/contact_dynamics/contact_dynamics.hpp"
+#include "repose/methods/contact_dynamics/packs.hpp"
+#include "repose/methods/contact_dynamics/relax.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include <map>
 #include <memory>
+#include <vector>
 
 namespace repose {
 namespace {
@@ -85,6 +90,87 @@ void steps(benchmark::State& state) {
   state.counters["grain_steps"] = benchmark::Counter(moved, benchmark::Counter::kIsRate);
 }
 
+void count_visits(benchmark::State& state, std::size_t contacts, double sweeps_each) {
+  state.counters["contact_iterations"] =
+      benchmark::Counter(static_cast<double>(state.iterations()) * sweeps_each * static_cast<double>(contacts),
+                         benchmark::Counter::kIsRate);
+  state.counters["contacts"] = static_cast<double>(contacts);
+}
+
+/// A settled bed before its contacts act.
+contact_dynamics::Problem<2> problem_of_bed(int count, bool rolling) {
+  auto problem = settled_bed(count).method->problem();
+  problem.rolling = rolling;
+  problem.bodies = problem.free;
+  for (auto& c : problem.contacts) {
+    c.impulse = {};
+    if (rolling) c.rolling_friction = 0.1;
+  }
+  return problem;
+}
+
+template <bool Rolling>
+void sweep_one_by_one(contact_dynamics::Problem<2>& problem, std::vector<contact_dynamics::Impulse<2>>& changes) {
+  using namespace contact_dynamics;
+  const FreeBodies among;
+  auto* bodies = problem.bodies.data();
+  const auto count = problem.contacts.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    auto& c = problem.contacts[k];
+    Impulse<2> change;
+    relax_translation(among, 1.0, c, bodies[c.first], bodies[c.second], change);
+    if constexpr (Rolling) relax_roll(among, c, bodies[c.first], bodies[c.second], change);
+    changes[k] = change;
+  }
+  for (std::size_t k = count; k-- > 0;) {
+    auto& c = problem.contacts[k];
+    if constexpr (Rolling) relax_roll(among, c, bodies[c.first], bodies[c.second], changes[k]);
+    relax_translation(among, 1.0, c, bodies[c.first], bodies[c.second], changes[k]);
+  }
+}
+
+void one_by_one(benchmark::State& state) {
+  auto problem = problem_of_bed(static_cast<int>(state.range(0)), state.range(1) != 0);
+  std::vector<contact_dynamics::Impulse<2>> changes(problem.contacts.size());
+  for (auto _ : state) {
+    problem.rolling ? sweep_one_by_one<true>(problem, changes) : sweep_one_by_one<false>(problem, changes);
+  }
+  count_visits(state, problem.contacts.size(), 2.0);
+}
+
+/// Numbers as packs want them.
+struct alignas(64) PackNumbers {
+  double of[contact_dynamics::pack_numbers];
+};
+
+void packed(benchmark::State& state) {
+  const auto set = static_cast<contact_dynamics::InstructionSet>(state.range(2));
+  if (!contact_dynamics::has(set)) return state.SkipWithError("not on this machine");
+  auto problem = problem_of_bed(static_cast<int>(state.range(0)), state.range(1) != 0);
+  contact_dynamics::Packs packs;
+  packs.build(problem);
+  std::vector<PackNumbers> impulses(packs.size());
+  std::vector<PackNumbers> changes(packs.size());
+  packs.load(problem.contacts, impulses.front().of);
+  problem.bodies.emplace_back();
+  for (auto _ : state) {
+    packs.sweep_to_and_fro(impulses.front().of, problem.bodies.data(), changes.front().of, nullptr, problem.rolling,
+                           set);
+  }
+  count_visits(state, problem.contacts.size(), 2.0);
+  state.counters["filling"] = static_cast<double>(problem.contacts.size()) / static_cast<double>(8 * packs.size());
+}
+
+void build(benchmark::State& state) {
+  const auto problem = problem_of_bed(static_cast<int>(state.range(0)), false);
+  contact_dynamics::Packs packs;
+  for (auto _ : state) packs.build(problem);
+  count_visits(state, problem.contacts.size(), 1.0);
+}
+
+BENCHMARK(one_by_one)->ArgNames({"discs", "rolling"})->ArgsProduct({{1000, 10000}, {0, 1}});
+BENCHMARK(packed)->ArgNames({"discs", "rolling", "instructions"})->ArgsProduct({{1000, 10000}, {0, 1}, {0, 1, 2}});
+BENCHMARK(build)->ArgName("discs")->Arg(1000)->Arg(10000);
 BENCHMARK(sweeps)->ArgNames({"discs", "accelerated"})->ArgsProduct({{1000, 10000}, {0, 1}});
 BENCHMARK(steps)->ArgName("discs")->Arg(1000);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/methods/contact_dynamics/solver.hpp"
 
+#include "repose/methods/contact_dynamics/relax.hpp"
 #include "repose/methods/contact_dynamics/residual.hpp"
 #include "repose/methods/contact_dynamics/self_stress.hpp"
 
@@ -37,32 +38,6 @@ struct Partly {
   static constexpr bool partly = true;
   Yield* of;
 };
-
-template <int D, class Bodies>
-REPOSE_FN void relax_translation(const Bodies& among, double share, ContactLine<D>& c, Body<D>& a, Body<D>& b,
-                                 Impulse<D>& change) {
-  auto& p = c.impulse;
-  const double opening = opening_velocity(c, a, b) + c.normal_bias;
-  const Tangent<D> slip = slip_velocity(c, a, b) + c.tangent_bias;
-  const double normal = std::max(-p.normal, -c.normal_mass * opening);
-  p.normal += normal;
-  const Tangent<D> tangent =
-      change_within(p.tangent, Tangent<D>(slip * -c.tangent_mass), friction_limit(c.friction, p.normal)) * share;
-  p.tangent += tangent;
-  among.push(c, normal, tangent, a, b);
-  change.normal += normal;
-  change.tangent += tangent;
-}
-
-template <int D, class Bodies>
-REPOSE_FN void relax_roll(const Bodies& among, ContactLine<D>& c, Body<D>& a, Body<D>& b, Impulse<D>& change) {
-  auto& p = c.impulse;
-  const Spin<D> roll = change_within(p.roll, Spin<D>(roll_velocity(c, a, b) * -c.roll_mass),
-                                     friction_limit(c.rolling_friction, p.normal));
-  p.roll += roll;
-  among.turn(c, roll, a, b);
-  change.roll += roll;
-}
 
 /// Solves each contact as if the others held still, first to last and back, all in the mirrored order, so that the map
 /// is symmetric. Normal and tangential parts of a disc or sphere act on each other through the friction limit alone.

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/methods/contact_dynamics/problem.hpp"
+
+#include <algorithm>
+
+namespace repose::contact_dynamics {
+
+/// Gives a contact the impulse without rolling part that solves it as if all others held still; of the change of its
+/// friction only a share. Adds to `change`.
+template <int D, class Bodies>
+REPOSE_FN void relax_translation(const Bodies& among, double share, ContactLine<D>& c, Body<D>& a, Body<D>& b,
+                                 Impulse<D>& change) {
+  auto& p = c.impulse;
+  const double opening = opening_velocity(c, a, b) + c.normal_bias;
+  const Tangent<D> slip = slip_velocity(c, a, b) + c.tangent_bias;
+  const double normal = std::max(-p.normal, -c.normal_mass * opening);
+  p.normal += normal;
+  const Tangent<D> tangent =
+      change_within(p.tangent, Tangent<D>(slip * -c.tangent_mass), friction_limit(c.friction, p.normal)) * share;
+  p.tangent += tangent;
+  among.push(c, normal, tangent, a, b);
+  change.normal += normal;
+  change.tangent += tangent;
+}
+
+/// The same for rolling, at the normal impulse that it has.
+template <int D, class Bodies>
+REPOSE_FN void relax_roll(const Bodies& among, ContactLine<D>& c, Body<D>& a, Body<D>& b, Impulse<D>& change) {
+  auto& p = c.impulse;
+  const Spin<D> roll = change_within(p.roll, Spin<D>(roll_velocity(c, a, b) * -c.roll_mass),
+                                     friction_limit(c.rolling_friction, p.normal));
+  p.roll += roll;
+  among.turn(c, roll, a, b);
+  change.roll += roll;
+}
+
+}  // namespace repose::contact_dynamics

@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/methods/contact_dynamics/packs.hpp"
+#include "repose/methods/contact_dynamics/relax.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace repose::contact_dynamics {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct alignas(64) Numbers {
+  double of[pack_numbers] = {};
+};
+struct alignas(64) Shares {
+  double of[pack_lanes] = {};
+};
+
+/// Contacts of bodies near each other in memory, as in a bed; some bodies are fixed, and one of them, as a floor,
+/// touches many.
+Problem<2> random_problem(std::size_t bodies, std::size_t contacts, bool rolling, unsigned seed) {
+  std::mt19937_64 random(seed);
+  const auto number = [&](double from, double to) { return std::uniform_real_distribution(from, to)(random); };
+  Problem<2> problem;
+  problem.rolling = rolling;
+  for (std::size_t k = 0; k < bodies; ++k) {
+    Body<2> body;
+    body.velocity = {{number(-1.0, 1.0), number(-1.0, 1.0)}};
+    body.rim_velocity = number(-1.0, 1.0);
+    body.inverse_mass = k == 0 || k % 7 == 3 ? 0.0 : number(0.5, 2.0);
+    problem.free.push_back(body);
+  }
+  while (problem.contacts.size() < contacts) {
+    ContactLine<2> c;
+    const auto first = std::uniform_int_distribution<std::size_t>(1, bodies - 1)(random);
+    const auto second = random() % 4 == 0 ? 0 : std::min(bodies - 1, first + 1 + random() % 6);
+    const double mobility = problem.free[first].inverse_mass + problem.free[second].inverse_mass;
+    if (first == second || !(mobility > 0.0)) continue;
+    const double angle = number(0.0, 6.0);
+    c.normal = {{std::cos(angle), std::sin(angle)}};
+    c.first = static_cast<std::uint32_t>(first);
+    c.second = static_cast<std::uint32_t>(second);
+    c.normal_bias = number(-0.2, 0.2);
+    c.tangent_bias = number(-0.1, 0.1);
+    const double frictions[] = {0.0, 0.5, infinity};
+    c.friction = frictions[random() % 3];
+    c.rolling_friction = frictions[random() % 3];
+    c.lever = number(0.9, 1.1);
+    c.first_turn = number(0.5, 1.5);
+    if (random() % 2 == 0) c.impulse = {number(0.0, 1.0), number(-0.3, 0.3), rolling ? number(-0.3, 0.3) : 0.0};
+    set_masses(c, problem.free[first].inverse_mass, problem.free[second].inverse_mass);
+    problem.contacts.push_back(c);
+  }
+  problem.bodies = problem.free;
+  return problem;
+}
+
+/// Indices of the contacts in the order of their packs.
+std::vector<std::size_t> order_of(const Packs& packs) {
+  std::vector<std::size_t> order;
+  for (std::size_t pack = 0; pack < packs.size(); ++pack) {
+    for (std::size_t lane = 0; lane < pack_lanes; ++lane) {
+      if (packs.contact(pack, lane) != Packs::none) order.push_back(packs.contact(pack, lane));
+    }
+  }
+  return order;
+}
+
+/// What Packs::sweep_to_and_fro does, one contact after the other. `shares` by index in the problem.
+void sweep_one_by_one(Problem<2>& problem, const std::vector<std::size_t>& order, const std::vector<double>& shares,
+                      std::vector<Impulse<2>>& changes) {
+  const FreeBodies among;
+  auto& bodies = problem.bodies;
+  changes.assign(problem.contacts.size(), {});
+  for (const auto k : order) {
+    auto& c = problem.contacts[k];
+    relax_translation(among, shares[k], c, bodies[c.first], bodies[c.second], changes[k]);
+    if (problem.rolling) relax_roll(among, c, bodies[c.first], bodies[c.second], changes[k]);
+  }
+  for (auto k = order.rbegin(); k != order.rend(); ++k) {
+    auto& c = problem.contacts[*k];
+    if (problem.rolling) relax_roll(among, c, bodies[c.first], bodies[c.second], changes[*k]);
+    relax_translation(among, shares[*k], c, bodies[c.first], bodies[c.second], changes[*k]);
+  }
+}
+
+void expect_same_bits(double a, double b, const std::string& what) {
+  EXPECT_EQ(std::bit_cast<std::uint64_t>(a), std::bit_cast<std::uint64_t>(b)) << what << ": " << a << ", " << b;
+}
+
+void expect_same_bits(const Impulse<2>& a, const Impulse<2>& b, const std::string& what) {
+  expect_same_bits(a.normal, b.normal, what + ", normal");
+  expect_same_bits(a.tangent, b.tangent, what + ", tangent");
+  expect_same_bits(a.roll, b.roll, what + ", roll");
+}
+
+void expect_same_bits(const Body<2>& a, const Body<2>& b, const std::string& what) {
+  expect_same_bits(a.velocity[0], b.velocity[0], what + ", velocity x");
+  expect_same_bits(a.velocity[1], b.velocity[1], what + ", velocity y");
+  expect_same_bits(a.rim_velocity, b.rim_velocity, what + ", rim velocity");
+  expect_same_bits(a.inverse_mass, b.inverse_mass, what + ", inverse mass");
+}
+
+/// Sweeps packs three times and compares with the contacts one by one.
+void compare_sweeps(const Problem<2>& problem, bool partly, InstructionSet set) {
+  Packs packs;
+  packs.build(problem);
+  std::vector<double> share_of(problem.contacts.size(), 1.0);
+  std::vector<Shares> shares(packs.size());
+  for (std::size_t pack = 0; pack < packs.size(); ++pack) {
+    for (std::size_t lane = 0; lane < pack_lanes; ++lane) {
+      const auto k = packs.contact(pack, lane);
+      if (k == Packs::none) continue;
+      if (partly) share_of[k] = 0.3 + 0.1 * static_cast<double>(k % 7);
+      shares[pack].of[lane] = share_of[k];
+    }
+  }
+  auto expected = problem;
+  std::vector<Impulse<2>> expected_changes;
+  auto found = problem;
+  found.bodies.emplace_back();
+  std::vector<Numbers> impulses(packs.size());
+  std::vector<Numbers> changes(packs.size());
+  packs.load(found.contacts, impulses.front().of);
+  for (int sweep = 0; sweep < 3; ++sweep) {
+    sweep_one_by_one(expected, order_of(packs), share_of, expected_changes);
+    packs.sweep_to_and_fro(impulses.front().of, found.bodies.data(), changes.front().of,
+                           partly ? shares.front().of : nullptr, problem.rolling, set);
+  }
+  packs.store(impulses.front().of, found.contacts);
+  auto found_changes = problem.contacts;
+  packs.store(changes.front().of, found_changes);
+  for (std::size_t k = 0; k < problem.contacts.size(); ++k) {
+    expect_same_bits(expected.contacts[k].impulse, found.contacts[k].impulse, "impulse " + std::to_string(k));
+    expect_same_bits(expected_changes[k], found_changes[k].impulse, "change " + std::to_string(k));
+  }
+  for (std::size_t k = 0; k < problem.free.size(); ++k) {
+    expect_same_bits(expected.bodies[k], found.bodies[k], "body " + std::to_string(k));
+  }
+  expect_same_bits(found.bodies.back(), Body<2>(), "body of the unused lanes");
+}
+
+class PackedSweeps : public testing::TestWithParam<InstructionSet> {};
+
+TEST_P(PackedSweeps, GiveTheBitsOfContactsOneByOne) {
+  if (!has(GetParam())) GTEST_SKIP() << "this machine lacks the instructions";
+  unsigned seed = 0;
+  for (const std::size_t contacts : {1, 2, 7, 8, 9, 50, 333, 2000}) {
+    for (const bool rolling : {false, true}) {
+      for (const bool partly : {false, true}) {
+        SCOPED_TRACE(std::to_string(contacts) + (rolling ? " rolling" : "") + (partly ? " partly" : ""));
+        compare_sweeps(random_problem(3 + contacts / 2, contacts, rolling, ++seed), partly, GetParam());
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, PackedSweeps,
+                         testing::Values(InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512));
+
+TEST(ContactPacks, NoMovingBodyTwiceAndEveryContactOnce) {
+  Packs packs;  // used again and again, as in a run
+  for (const std::size_t contacts : {0, 1, 9, 100, 3000, 40}) {
+    const auto problem = random_problem(3 + contacts / 2, contacts, false, 7);
+    packs.build(problem);
+    std::vector<int> times(contacts, 0);
+    for (std::size_t pack = 0; pack < packs.size(); ++pack) {
+      std::vector<std::uint32_t> moving;
+      for (std::size_t lane = 0; lane < pack_lanes; ++lane) {
+        const auto k = packs.contact(pack, lane);
+        if (k == Packs::none) {
+          EXPECT_EQ(packs[pack].first[lane], problem.free.size());
+          EXPECT_EQ(packs[pack].second[lane], problem.free.size());
+          continue;
+        }
+        ++times[k];
+        const auto& c = problem.contacts[k];
+        EXPECT_EQ(packs[pack].first[lane], c.first);
+        EXPECT_EQ(packs[pack].second[lane], c.second);
+        for (const auto body : {c.first, c.second}) {
+          if (problem.free[body].inverse_mass > 0.0) moving.push_back(body);
+        }
+      }
+      std::sort(moving.begin(), moving.end());
+      EXPECT_EQ(std::adjacent_find(moving.begin(), moving.end()), moving.end()) << "pack " << pack;
+    }
+    EXPECT_EQ(times, std::vector<int>(contacts, 1));
+  }
+}
+
+// A row of discs, each on the next: as many contacts as fit into a pack are there before a disc comes again.
+TEST(ContactPacks, OfALongRowAreFull) {
+  Problem<2> problem;
+  for (std::uint32_t k = 0; k < 4001; ++k) {
+    Body<2> body;
+    body.inverse_mass = 1.0;
+    problem.free.push_back(body);
+    if (k == 0) continue;
+    ContactLine<2> c;
+    c.first = k - 1;
+    c.second = k;
+    problem.contacts.push_back(c);
+  }
+  Packs packs;
+  packs.build(problem);
+  EXPECT_LE(packs.size(), 510u);
+}
+
+TEST(ContactPacks, ImpulsesThereAndBack) {
+  const auto problem = random_problem(60, 101, true, 3);
+  Packs packs;
+  packs.build(problem);
+  std::vector<Numbers> impulses(packs.size());
+  packs.load(problem.contacts, impulses.front().of);
+  auto back = problem.contacts;
+  for (auto& c : back) c.impulse = {-1.0, -1.0, -1.0};
+  packs.store(impulses.front().of, back);
+  for (std::size_t k = 0; k < back.size(); ++k) {
+    expect_same_bits(problem.contacts[k].impulse, back[k].impulse, "impulse " + std::to_string(k));
+  }
+}
+
+}  // namespace
+}  // namespace repose::contact_dynamics
