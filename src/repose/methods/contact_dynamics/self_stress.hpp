@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace repose::contact_dynamics {
 
@@ -29,33 +28,22 @@ double room_of_friction(const Vector& impulse, const Vector& change, double coef
   return -2.0 * c / (b + std::sqrt(root));
 }
 
-/// How often the impulses may change like this before the first contact opens, slides or rolls.
+/// How often the impulse of a contact may change like this before it opens, slides or rolls.
 template <int D>
-double room_along(const std::vector<ContactLine<D>>& contacts, const std::vector<Impulse<D>>& changes) {
+double room_along(const ContactLine<D>& c, const Impulse<D>& p, const Impulse<D>& change) {
   double room = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const auto& c = contacts[k];
-    const auto& p = c.impulse;
-    const auto& d = changes[k];
-    if (!(p.normal > 0.0)) continue;
-    if (d.normal < 0.0) room = std::min(room, -p.normal / d.normal);
-    room = std::min(room, room_of_friction(p.tangent, d.tangent, c.friction, p.normal, d.normal));
-    room = std::min(room, room_of_friction(p.roll, d.roll, c.rolling_friction, p.normal, d.normal));
-  }
-  return room;
+  if (!(p.normal > 0.0)) return room;
+  if (change.normal < 0.0) room = std::min(room, -p.normal / change.normal);
+  room = std::min(room, room_of_friction(p.tangent, change.tangent, c.friction, p.normal, change.normal));
+  return std::min(room, room_of_friction(p.roll, change.roll, c.rolling_friction, p.normal, change.normal));
 }
 
-/// Twice the energy [M L^2/T^2] that changes of impulses would have if each acted on its contact alone: what the
-/// kinetic energy of their velocities is to be compared with.
+/// Twice the energy [M L^2/T^2] that a change of impulse would have if it acted on its contact alone: what the kinetic
+/// energy of the velocities of all changes is to be compared with.
 template <int D>
-double energy_apart(const std::vector<ContactLine<D>>& contacts, const std::vector<Impulse<D>>& changes) {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const auto& d = changes[k];
-    sum += d.normal * d.normal / contacts[k].normal_mass + repose::squared(d.tangent) / contacts[k].tangent_mass +
-           repose::squared(d.roll) / contacts[k].roll_mass;
-  }
-  return sum;
+double energy_apart(const ContactLine<D>& c, const Impulse<D>& change) {
+  return change.normal * change.normal / c.normal_mass + repose::squared(change.tangent) / c.tangent_mass +
+         repose::squared(change.roll) / c.roll_mass;
 }
 
 }  // namespace repose::contact_dynamics

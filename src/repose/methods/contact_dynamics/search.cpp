@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repose/methods/contact_dynamics/solver.hpp"
+#include "repose/methods/contact_dynamics/search.hpp"
 
-#include "repose/methods/contact_dynamics/relax.hpp"
+#include "repose/methods/contact_dynamics/line_sweeps.hpp"
+#include "repose/methods/contact_dynamics/pack_sweeps.hpp"
 #include "repose/methods/contact_dynamics/residual.hpp"
 #include "repose/methods/contact_dynamics/self_stress.hpp"
 
@@ -24,66 +25,13 @@ constexpr double shortest_leap = 8.0;
 constexpr long sweeps_before_watching = 200;
 constexpr long sweeps_per_watch = 20;
 
-/// Where friction is high, sweeps can end in a cycle: a contact opens, its friction is gone, it is pressed together
-/// again. From this sweep on the friction of a contact goes only part of the way, less at every turn.
+/// Friction goes wholly to what solves its contact until this sweep.
 constexpr long sweeps_before_yielding = 100;
-constexpr float share_at_turn = 0.8f;
-constexpr float share_at_no_turn = 1.005f;
-
-/// The friction of all contacts goes wholly to what solves the contact.
-struct Wholly {
-  static constexpr bool partly = false;
-};
-struct Partly {
-  static constexpr bool partly = true;
-  Yield* of;
-};
-
-/// Solves each contact as if the others held still, first to last and back, all in the mirrored order, so that the map
-/// is symmetric. Normal and tangential parts of a disc or sphere act on each other through the friction limit alone.
-/// Adds up what was changed: as the difference of the impulses it would drown in their rounding.
-template <bool Rolling, int D, class Bodies, class Way>
-void sweep_to_and_fro(const Bodies& among, const Way& way, Problem<D>& problem, std::vector<Impulse<D>>& changes) {
-  auto* bodies = problem.bodies.data();
-  const auto count = problem.contacts.size();
-  const auto share = [&](std::size_t k) {
-    if constexpr (Way::partly) return static_cast<double>(way.of[k].share);
-    return 1.0;
-  };
-  for (std::size_t k = 0; k < count; ++k) {
-    auto& c = problem.contacts[k];
-    Impulse<D> change;
-    relax_translation(among, share(k), c, bodies[c.first], bodies[c.second], change);
-    if constexpr (Rolling) relax_roll(among, c, bodies[c.first], bodies[c.second], change);
-    changes[k] = change;
-  }
-  for (std::size_t k = count; k-- > 0;) {
-    auto& c = problem.contacts[k];
-    if constexpr (Rolling) relax_roll(among, c, bodies[c.first], bodies[c.second], changes[k]);
-    relax_translation(among, share(k), c, bodies[c.first], bodies[c.second], changes[k]);
-    if constexpr (Way::partly) way.of[k].take(c.impulse.normal > 0.0);
-  }
-}
-
-template <int D>
-void sweep_to_and_fro(Problem<D>& problem, std::vector<Yield>* yield, std::vector<Impulse<D>>& changes) {
-  const auto sweep = [&](const auto& among, const auto& way) {
-    problem.rolling ? sweep_to_and_fro<true>(among, way, problem, changes)
-                    : sweep_to_and_fro<false>(among, way, problem, changes);
-  };
-  const auto either = [&](const auto& among) { yield ? sweep(among, Partly{yield->data()}) : sweep(among, Wholly{}); };
-  problem.pistons ? either(problem.with_pistons()) : either(FreeBodies{});
-}
 
 }  // namespace
 
-void Yield::take(bool is_pressed) {
-  share = is_pressed == pressed ? std::min(1.0f, share * share_at_no_turn) : share * share_at_turn;
-  pressed = is_pressed;
-}
-
-template <int D>
-void Point<D>::add(double share, const Point& other) {
+template <int D, class Impulses>
+void Point<D, Impulses>::add(double share, const Point& other) {
   for (std::size_t k = 0; k < impulses.size(); ++k) impulses[k] += other.impulses[k] * share;
   for (std::size_t k = 0; k < motions.size(); ++k) {
     motions[k].velocity += other.motions[k].velocity * share;
@@ -91,8 +39,8 @@ void Point<D>::add(double share, const Point& other) {
   }
 }
 
-template <int D>
-void Point<D>::scale(double factor) {
+template <int D, class Impulses>
+void Point<D, Impulses>::scale(double factor) {
   for (auto& impulse : impulses) impulse = impulse * factor;
   for (auto& motion : motions) {
     motion.velocity *= factor;
@@ -101,8 +49,8 @@ void Point<D>::scale(double factor) {
 }
 
 /// Twice the kinetic energy that the two have in common.
-template <int D>
-double Solver<D>::product(const Point<D>& a, const Point<D>& b) const {
+template <int D, class Sweeps>
+double Search<D, Sweeps>::product(const Step& a, const Step& b) const {
   double sum = 0.0;
   for (std::size_t k = 0; k < masses_.size(); ++k) {
     const auto& u = a.motions[k];
@@ -113,35 +61,40 @@ double Solver<D>::product(const Point<D>& a, const Point<D>& b) const {
   return sum;
 }
 
-template <int D>
-void Solver<D>::begin(const Problem<D>& problem) {
-  const auto contacts = problem.contacts.size();
-  const auto bodies = problem.bodies.size();
+/// From velocities that go with the impulses.
+template <int D, class Sweeps>
+void Search<D, Sweeps>::begin(Problem<D>& problem) {
+  add_impulses(problem, problem.bodies);
+  sweeps_.begin(problem);
   masses_.clear();
-  base_.impulses.clear();
   base_.motions.clear();
   for (const auto& body : problem.bodies) {
     masses_.push_back(body.inverse_mass > 0.0 ? 1.0 / body.inverse_mass : 0.0);
     base_.motions.push_back({body.velocity, body.rim_velocity});
   }
-  for (const auto& c : problem.contacts) base_.impulses.push_back(c.impulse);
-  foretold_.reset(contacts, bodies);
-  change_.reset(contacts, bodies);
+  base_.impulses = sweeps_.impulses(problem);
+  foretold_.reset(base_.impulses.size(), problem.bodies.size());
+  change_.reset(base_.impulses.size(), problem.bodies.size());
   remembered_ = 0;
+  anew_in_a_row_ = 0;
   foretold_square_ = 0.0;
+  leapt_ = false;
   next_look_ = 0;
 }
 
-/// From here on friction follows partly.
-template <int D>
-void Solver<D>::begin_yielding(const Problem<D>& problem) {
-  yield_.clear();
-  for (const auto& c : problem.contacts) yield_.push_back({1.0f, c.impulse.normal > 0.0});
+/// Friction follows partly from some sweep on.
+template <int D, class Sweeps>
+void Search<D, Sweeps>::sweep(Problem<D>& problem, long sweeps) {
+  const auto pressed = [&](std::size_t place) { return sweeps_.pressed(problem, place); };
+  const bool partly = sweeps >= sweeps_before_yielding;
+  if (sweeps == sweeps_before_yielding) yielding_.begin(sweeps_.places(problem), pressed);
+  sweeps_.sweep_to_and_fro(problem, partly ? yielding_.shares() : nullptr, change_.impulses);
+  if (partly) yielding_.follow(pressed);
 }
 
 /// How the last sweeps changed the velocities; they began where the change was foretold from.
-template <int D>
-void Solver<D>::take_change(const Problem<D>& problem) {
+template <int D, class Sweeps>
+void Search<D, Sweeps>::take_change(const Problem<D>& problem) {
   for (std::size_t k = 0; k < problem.bodies.size(); ++k) {
     const auto& now = problem.bodies[k];
     const auto& base = base_.motions[k];
@@ -151,9 +104,10 @@ void Solver<D>::take_change(const Problem<D>& problem) {
   }
 }
 
-/// The true residual costs half a sweep: looked at when the velocities hardly change, ever less often, and now and then.
-template <int D>
-bool Solver<D>::look_is_due(const Solution& solution, double enough) const {
+/// The true residual costs half a sweep: looked at when the velocities hardly change, ever less often, and now and
+/// then.
+template <int D, class Sweeps>
+bool Search<D, Sweeps>::look_is_due(const Solution& solution, double enough) const {
   if (solution.sweeps >= settings_.most_sweeps) return true;
   if (solution.sweeps >= sweeps_before_watching && solution.sweeps % sweeps_per_watch == 0) return true;
   if (solution.sweeps < next_look_) return false;
@@ -165,8 +119,8 @@ bool Solver<D>::look_is_due(const Solution& solution, double enough) const {
 }
 
 /// Whether these impulses are what was wanted; keeps them if they are the best so far.
-template <int D>
-bool Solver<D>::small_enough(const Problem<D>& problem, Solution& solution) {
+template <int D, class Sweeps>
+bool Search<D, Sweeps>::small_enough(const Problem<D>& problem, Solution& solution) {
   const double now = residual(problem, scratch_).worst();
   next_look_ = solution.sweeps + 2 + solution.sweeps / 16;
   if (now < solution.residual) {
@@ -178,31 +132,63 @@ bool Solver<D>::small_enough(const Problem<D>& problem, Solution& solution) {
 }
 
 /// From where the last sweeps ended, without what is remembered.
-template <int D>
-void Solver<D>::start_anew(double square) {
+template <int D, class Sweeps>
+void Search<D, Sweeps>::start_anew(double square) {
   base_.add(1.0, foretold_);
   std::swap(foretold_, change_);
   foretold_square_ = square;
   remembered_ = 0;
+  ++anew_in_a_row_;
 }
 
-/// Leaps over a drift to the first contact that ends it, but only so far that the velocities which the change makes
-/// nevertheless do not outgrow it. False where there is no drift.
-template <int D>
-bool Solver<D>::leap(const Problem<D>& problem) {
+/// For how many sweeps the change will be much the same: where it makes next to no velocities, until those outgrow it;
+/// where it does not shrink and is that of the sweep before, until what differs adds up to as much.
+template <int D, class Sweeps>
+double Search<D, Sweeps>::drift(const Problem<D>& problem, double square) {
+  double apart = 0.0;
+  sweeps_.for_each(problem, change_.impulses,
+                   [&](const auto& c, const auto&, const auto& change) { apart += energy_apart(c, change); });
+  double sweeps = std::sqrt(apart / square);
+  if (!(sweeps > drift_over_velocity)) sweeps = 0.0;
+  if (anew_in_a_row_ < sweeps_per_look) return sweeps;
+  difference_ = change_.impulses;
+  for (std::size_t k = 0; k < difference_.size(); ++k) difference_[k] += foretold_.impulses[k] * -1.0;
+  double differing = 0.0;
+  sweeps_.for_each(problem, difference_,
+                   [&](const auto& c, const auto&, const auto& change) { differing += energy_apart(c, change); });
+  return std::max(sweeps, std::sqrt(apart / differing));
+}
+
+/// Leaps over a drift, at most to the first contact that ends it. False where there is none.
+template <int D, class Sweeps>
+bool Search<D, Sweeps>::leap(const Problem<D>& problem) {
   const double square = product(change_, change_);
-  const double apart = energy_apart(problem.contacts, change_.impulses);
-  if (!(apart > drift_over_velocity * drift_over_velocity * square)) return false;
-  const double room = std::min(room_along(problem.contacts, change_.impulses), std::sqrt(apart / square));
+  double room = drift(problem, square);
+  if (!(room > shortest_leap)) return false;
+  sweeps_.for_each(problem, change_.impulses, [&](const auto& c, const auto& impulse, const auto& change) {
+    room = std::min(room, room_along(c, impulse, change));
+  });
   if (!(room > shortest_leap) || !std::isfinite(room)) return false;
   start_anew(square);
   base_.add(room, foretold_);
+  anew_in_a_row_ = 0;
+  leapt_ = true;
   return true;
 }
 
+/// Leaps magnify the rounding of the velocities that are carried along: gives them those of the impulses.
+template <int D, class Sweeps>
+void Search<D, Sweeps>::correct_velocities(const Problem<D>& problem) {
+  for (std::size_t k = 0; k < scratch_.size(); ++k) {
+    base_.motions[k].velocity += scratch_[k].velocity - problem.bodies[k].velocity;
+    base_.motions[k].rim_velocity += scratch_[k].rim_velocity - problem.bodies[k].rim_velocity;
+  }
+  leapt_ = false;
+}
+
 /// From what the last step changed against what was foretold: a base where the least change is to be expected.
-template <int D>
-void Solver<D>::combine() {
+template <int D, class Sweeps>
+void Search<D, Sweeps>::combine() {
   const double square = product(change_, change_);
   if (!settings_.accelerated || !(square <= foretold_square_)) {
     start_anew(square);
@@ -232,17 +218,14 @@ void Solver<D>::combine() {
   foretold_.add(-along, image);
   foretold_square_ = product(foretold_, foretold_);
   newest_ = slot;
+  anew_in_a_row_ = 0;
   remembered_ = std::min(remembered_ + 1, most_remembered);
 }
 
 /// To where the foretold change leads.
-template <int D>
-void Solver<D>::go_on(Problem<D>& problem) const {
-  for (std::size_t k = 0; k < problem.contacts.size(); ++k) {
-    auto& impulse = problem.contacts[k].impulse;
-    impulse = base_.impulses[k];
-    impulse += foretold_.impulses[k];
-  }
+template <int D, class Sweeps>
+void Search<D, Sweeps>::go_on(Problem<D>& problem) {
+  sweeps_.set(base_.impulses, foretold_.impulses, problem);
   for (std::size_t k = 0; k < problem.bodies.size(); ++k) {
     auto& body = problem.bodies[k];
     body.velocity = base_.motions[k].velocity + foretold_.motions[k].velocity;
@@ -250,8 +233,8 @@ void Solver<D>::go_on(Problem<D>& problem) const {
   }
 }
 
-template <int D>
-Solution Solver<D>::solve(Problem<D>& problem) {
+template <int D, class Sweeps>
+Solution Search<D, Sweeps>::solve(Problem<D>& problem) {
   Solution solution;
   problem.bodies = problem.free;
   if (problem.contacts.empty()) return solution;
@@ -259,15 +242,16 @@ Solution Solver<D>::solve(Problem<D>& problem) {
   solution.residual = std::numeric_limits<double>::infinity();
   if (!small_enough(problem, solution) && settings_.most_sweeps > 0) {
     const double enough = settings_.tolerance * velocity_scale(problem);
-    add_impulses(problem, problem.bodies);
     begin(problem);
     for (;;) {
-      const bool partly = solution.sweeps >= sweeps_before_yielding;
-      if (solution.sweeps == sweeps_before_yielding) begin_yielding(problem);
-      sweep_to_and_fro(problem, partly ? &yield_ : nullptr, change_.impulses);
+      sweep(problem, solution.sweeps);
       ++solution.sweeps;
       take_change(problem);
-      if (look_is_due(solution, enough) && small_enough(problem, solution)) break;
+      if (look_is_due(solution, enough)) {
+        sweeps_.store(problem);
+        if (small_enough(problem, solution)) break;
+        if (leapt_) correct_velocities(problem);
+      }
       if (solution.sweeps >= settings_.most_sweeps) break;
       if (!settings_.accelerated || solution.sweeps % sweeps_per_look != 0 || !leap(problem)) combine();
       go_on(problem);
@@ -279,9 +263,8 @@ Solution Solver<D>::solve(Problem<D>& problem) {
   return solution;
 }
 
-template struct Point<2>;
-template struct Point<3>;
-template class Solver<2>;
-template class Solver<3>;
+template class Search<2, LineSweeps<2>>;
+template class Search<3, LineSweeps<3>>;
+template class Search<2, PackSweeps>;
 
 }  // namespace repose::contact_dynamics

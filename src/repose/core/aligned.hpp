@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <new>
+#include <vector>
+
+namespace repose {
+
+/// Allocates whole cache lines, which are also what the widest registers hold.
+template <class T>
+struct CacheAligned {
+  using value_type = T;
+  static constexpr std::align_val_t alignment{64};
+
+  CacheAligned() = default;
+  template <class U>
+  CacheAligned(const CacheAligned<U>&) {}
+
+  T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), alignment)); }
+  void deallocate(T* p, std::size_t) { ::operator delete(p, alignment); }
+  friend bool operator==(const CacheAligned&, const CacheAligned&) { return true; }
+};
+
+using AlignedDoubles = std::vector<double, CacheAligned<double>>;
+
+}  // namespace repose
