@@ -154,7 +154,7 @@ class PackedSweeps : public testing::TestWithParam<InstructionSet> {};
 TEST_P(PackedSweeps, GiveTheBitsOfContactsOneByOne) {
   if (!has(GetParam())) GTEST_SKIP() << "this machine lacks the instructions";
   unsigned seed = 0;
-  for (const std::size_t contacts : {1, 2, 7, 8, 9, 50, 333, 2000}) {
+  for (const std::size_t contacts : {1u, 2u, 7u, 8u, 9u, 50u, 333u, 2000u}) {
     for (const bool rolling : {false, true}) {
       for (const bool partly : {false, true}) {
         SCOPED_TRACE(std::to_string(contacts) + (rolling ? " rolling" : "") + (partly ? " partly" : ""));
@@ -169,7 +169,7 @@ INSTANTIATE_TEST_SUITE_P(Every, PackedSweeps,
 
 TEST(ContactPacks, NoMovingBodyTwiceAndEveryContactOnce) {
   Packs packs;  // used again and again, as in a run
-  for (const std::size_t contacts : {0, 1, 9, 100, 3000, 40}) {
+  for (const std::size_t contacts : {0u, 1u, 9u, 100u, 3000u, 40u}) {
     const auto problem = random_problem(3 + contacts / 2, contacts, false, 7);
     packs.build(problem);
     std::vector<int> times(contacts, 0);

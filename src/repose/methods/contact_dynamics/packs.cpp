@@ -12,9 +12,11 @@ namespace repose::contact_dynamics {
 
 namespace {
 
-/// Packs that are open at a time, and packs that are remembered, one bit each. Few keep near the order of the contacts.
-constexpr unsigned window = 32;
-constexpr unsigned remembered = 64;
+/// The latest packs, one bit each: where it is remembered which bodies they hold.
+constexpr std::size_t remembered = 64;
+/// Packs that are open at least, so that a contact can keep away from the packs beside those of its bodies. More do not
+/// make sweeps faster, and fewer keep nearer to the order of the contacts.
+constexpr int window = 12;
 
 void put(const ContactLine<2>& c, std::size_t lane, ContactPack& pack) {
   pack.normal_x[lane] = c.normal[0];
@@ -55,56 +57,120 @@ InstructionSet fastest_instruction_set() {
   return fastest;
 }
 
+class Packs::Builder {
+ public:
+  Builder(Packs& packs, const Problem<2>& problem) : to_(packs), contacts_(problem.contacts) {
+    to_.packs_.clear();
+    to_.contacts_.clear();
+    to_.presence_.clear();
+    for (const auto& body : problem.free) to_.presence_.push_back({0, body.inverse_mass > 0.0 ? ~std::uint64_t{0} : 0});
+    // The body of the unused lanes.
+    to_.presence_.push_back({0, 0});
+    nothing_.lever = 0.0;
+    nothing_.first_turn = 0.0;
+    nothing_.first = nothing_.second = static_cast<std::uint32_t>(problem.free.size());
+    for (std::size_t lane = 0; lane < pack_lanes; ++lane) put(nothing_, lane, empty_);
+  }
+
+  void add_all() {
+    while (open_count_ < window) open();
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      const auto taken = taken_by(contacts_[k]);
+      auto fitting = open_ & ~with_neighbours(taken);
+      if (!fitting) fitting = open_ & ~taken;
+      if (!fitting) {
+        open();
+        fitting = bit(to_.size() - 1);
+      }
+      const auto pack = oldest(fitting);
+      add(static_cast<std::uint32_t>(k), pack);
+      if (used(pack) < pack_lanes) continue;
+      close(pack);
+      if (open_count_ < window) open();
+    }
+  }
+
+  /// Clears the last packs, where those before have room.
+  void finish() {
+    while (to_.size() > 0 && (open_ & bit(to_.size() - 1))) {
+      const auto last = to_.size() - 1;
+      close(last);
+      for (auto& lanes = used(last); lanes > 0; --lanes) {
+        auto& k = to_.contacts_[last][lanes - 1u];
+        const auto fitting = open_ & ~taken_by(contacts_[k]);
+        if (!fitting) return;
+        const auto pack = oldest(fitting);
+        add(k, pack);
+        if (used(pack) == pack_lanes) close(pack);
+        k = static_cast<std::uint32_t>(none);
+        put(nothing_, lanes - 1u, to_.packs_[last]);
+      }
+      to_.packs_.pop_back();
+      to_.contacts_.pop_back();
+    }
+  }
+
+ private:
+  static std::uint64_t bit(std::size_t pack) { return std::uint64_t{1} << pack % remembered; }
+  std::uint8_t& used(std::size_t pack) { return used_[pack % remembered]; }
+
+  /// Packs that hold one of its moving bodies.
+  std::uint64_t taken_by(const ContactLine<2>& c) const {
+    return to_.presence_[c.first].packs | to_.presence_[c.second].packs;
+  }
+
+  std::size_t oldest(std::uint64_t packs) const {
+    const auto start = to_.size() % remembered;
+    const auto after = static_cast<std::size_t>(std::countr_zero(std::rotr(packs, static_cast<int>(start))));
+    return to_.size() - remembered + after;
+  }
+
+  void add(std::uint32_t k, std::size_t pack) {
+    const auto& c = contacts_[k];
+    auto& first = to_.presence_[c.first];
+    auto& second = to_.presence_[c.second];
+    first.packs |= bit(pack) & first.moves;
+    second.packs |= bit(pack) & second.moves;
+    const std::size_t lane = used(pack)++;
+    put(c, lane, to_.packs_[pack]);
+    to_.contacts_[pack][lane] = k;
+  }
+
+  void open() {
+    const auto pack = to_.size();
+    if (open_ & bit(pack)) close(pack);
+    if (pack >= remembered) forget(pack - remembered);
+    to_.packs_.push_back(empty_);
+    to_.contacts_.emplace_back().fill(none);
+    used(pack) = 0;
+    open_ |= bit(pack);
+    ++open_count_;
+  }
+
+  void close(std::size_t pack) {
+    open_ &= ~bit(pack);
+    --open_count_;
+  }
+
+  void forget(std::size_t pack) {
+    for (const auto k : to_.packs_[pack].first) to_.presence_[k].packs &= ~bit(pack);
+    for (const auto k : to_.packs_[pack].second) to_.presence_[k].packs &= ~bit(pack);
+  }
+
+  Packs& to_;
+  const std::vector<ContactLine<2>>& contacts_;
+  ContactLine<2> nothing_;
+  ContactPack empty_;
+  std::array<std::uint8_t, remembered> used_{};  // lanes
+  std::uint64_t open_ = 0;
+  int open_count_ = 0;
+};
+
 void Packs::build(const Problem<2>& problem) {
   REPOSE_ASSERT(!problem.pistons);
-  const auto idle = static_cast<std::uint32_t>(problem.free.size());
-  packs_.clear();
-  contacts_.clear();
-  near_.assign(problem.free.size(), 0);
-  std::array<std::uint8_t, remembered> used{};  // lanes
-  std::uint64_t open = 0;                       // pack k is bit k modulo `remembered`
-  const auto forget = [&](std::size_t pack) {
-    const auto bit = ~(std::uint64_t{1} << pack % remembered);
-    for (std::size_t lane = 0; lane < pack_lanes; ++lane) {
-      if (contacts_[pack][lane] == none) break;
-      near_[packs_[pack].first[lane]] &= bit;
-      near_[packs_[pack].second[lane]] &= bit;
-    }
-  };
-  const auto open_one = [&] {
-    const auto pack = packs_.size();
-    if (pack >= window) open &= ~(std::uint64_t{1} << (pack - window) % remembered);
-    if (pack >= remembered) forget(pack - remembered);
-    auto& fresh = packs_.emplace_back();
-    std::fill_n(fresh.first, pack_lanes, idle);
-    std::fill_n(fresh.second, pack_lanes, idle);
-    contacts_.emplace_back().fill(none);
-    open |= std::uint64_t{1} << pack % remembered;
-    used[pack % remembered] = 0;
-  };
-  for (std::size_t k = 0; k < problem.contacts.size(); ++k) {
-    const auto& c = problem.contacts[k];
-    const bool first_moves = problem.free[c.first].inverse_mass > 0.0;
-    const bool second_moves = problem.free[c.second].inverse_mass > 0.0;
-    const auto taken = (first_moves ? near_[c.first] : 0) | (second_moves ? near_[c.second] : 0);
-    auto fitting = open & ~with_neighbours(taken);
-    if (!fitting) fitting = open & ~taken;
-    if (!fitting) {
-      open_one();
-      fitting = std::uint64_t{1} << (packs_.size() - 1) % remembered;
-    }
-    // The oldest that fits.
-    const auto start = static_cast<int>(packs_.size() % remembered);
-    const auto age = std::countr_zero(std::rotr(fitting, start));
-    const auto bit = (static_cast<unsigned>(start) + static_cast<unsigned>(age)) % remembered;
-    const auto pack = packs_.size() - remembered + static_cast<std::size_t>(age);
-    const std::size_t lane = used[bit]++;
-    put(c, lane, packs_[pack]);
-    contacts_[pack][lane] = static_cast<std::uint32_t>(k);
-    if (first_moves) near_[c.first] |= std::uint64_t{1} << bit;
-    if (second_moves) near_[c.second] |= std::uint64_t{1} << bit;
-    if (used[bit] == pack_lanes) open &= ~(std::uint64_t{1} << bit);
-  }
+  Builder builder(*this, problem);
+  builder.add_all();
+  builder.finish();
 }
 
 void Packs::load(const std::vector<ContactLine<2>>& contacts, double* impulses) const {

@@ -61,9 +61,15 @@ class Packs {
                         InstructionSet set = fastest_instruction_set()) const;
 
  private:
+  class Builder;
+  struct Presence {
+    std::uint64_t packs;  // of the latest packs, those that it is in
+    std::uint64_t moves;  // all bits, or none: then it is in no pack that matters
+  };
+
   std::vector<ContactPack> packs_;
   std::vector<std::array<std::uint32_t, pack_lanes>> contacts_;
-  std::vector<std::uint64_t> near_;  // of each body: in which of the latest packs it is
+  std::vector<Presence> presence_;  // of the bodies
 };
 
 }  // namespace repose::contact_dynamics
