@@ -6,9 +6,12 @@
 #include "repose/methods/contact_dynamics/pack_sweeps.hpp"
 #include "repose/methods/contact_dynamics/search.hpp"
 
+#include <cstddef>
+
 namespace repose::contact_dynamics {
 
-/// Solves contact problems by the sweeps that suit them, see Search.
+/// Solves contact problems by the sweeps that suit them, see Search: eight contacts at a time where there are many; few
+/// are soon solved one by one in their own order, in which a change runs along a chain in one sweep.
 template <int D>
 class Solver {
  public:
@@ -16,12 +19,15 @@ class Solver {
 
   Solution solve(Problem<D>& problem) {
     if constexpr (D == 2) {
-      if (settings_.packed && !problem.pistons) return packed_.solve(problem);
+      const bool many = problem.contacts.size() >= fewest_packed;
+      if (settings_.packed && many && !problem.pistons) return packed_.solve(problem);
     }
     return one_by_one_.solve(problem);
   }
 
  private:
+  static constexpr std::size_t fewest_packed = 128;
+
   SolverSettings settings_;
   Search<D, LineSweeps<D>> one_by_one_;
   Search<2, PackSweeps> packed_;
