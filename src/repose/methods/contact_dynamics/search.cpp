@@ -8,6 +8,7 @@
 #include "repose/methods/contact_dynamics/self_stress.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -28,37 +29,41 @@ constexpr long sweeps_per_watch = 20;
 /// Friction goes wholly to what solves its contact until this sweep.
 constexpr long sweeps_before_yielding = 100;
 
-}  // namespace
-
-template <int D, class Impulses>
-void Point<D, Impulses>::add(double share, const Point& other) {
-  for (std::size_t k = 0; k < impulses.size(); ++k) impulses[k] += other.impulses[k] * share;
-  for (std::size_t k = 0; k < motions.size(); ++k) {
-    motions[k].velocity += other.motions[k].velocity * share;
-    motions[k].rim_velocity += other.motions[k].rim_velocity * share;
+template <int D>
+void add(std::vector<Motion<D>>& to, double share, const std::vector<Motion<D>>& other) {
+  for (std::size_t k = 0; k < to.size(); ++k) {
+    to[k].velocity += other[k].velocity * share;
+    to[k].rim_velocity += other[k].rim_velocity * share;
   }
 }
 
-template <int D, class Impulses>
-void Point<D, Impulses>::scale(double factor) {
-  for (auto& impulse : impulses) impulse = impulse * factor;
+template <int D>
+void scale(std::vector<Motion<D>>& motions, double factor) {
   for (auto& motion : motions) {
     motion.velocity *= factor;
     motion.rim_velocity *= factor;
   }
 }
 
-/// Twice the kinetic energy that the two have in common.
+}  // namespace
+
+template <int D, class Impulses>
+void Point<D, Impulses>::add(double share, const Point& other) {
+  for (std::size_t k = 0; k < impulses.size(); ++k) impulses[k] += other.impulses[k] * share;
+  contact_dynamics::add(motions, share, other.motions);
+}
+
+/// Twice the kinetic energy that the two have in common. Four sums, for one would have to wait for itself.
 template <int D, class Sweeps>
 double Search<D, Sweeps>::product(const Step& a, const Step& b) const {
-  double sum = 0.0;
+  std::array<double, 4> sum{};
   for (std::size_t k = 0; k < masses_.size(); ++k) {
     const auto& u = a.motions[k];
     const auto& v = b.motions[k];
-    sum +=
-        masses_[k] * (dot(u.velocity, v.velocity) + inner(u.rim_velocity, v.rim_velocity) / inverse_inertia_factor<D>);
+    const double turning = inner(u.rim_velocity, v.rim_velocity) / inverse_inertia_factor<D>;
+    sum[k % sum.size()] += masses_[k] * (dot(u.velocity, v.velocity) + turning);
   }
-  return sum;
+  return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
 /// From velocities that go with the impulses.
@@ -75,6 +80,9 @@ void Search<D, Sweeps>::begin(Problem<D>& problem) {
   base_.impulses = sweeps_.impulses(problem);
   foretold_.reset(base_.impulses.size(), problem.bodies.size());
   change_.reset(base_.impulses.size(), problem.bodies.size());
+  for (auto* points : {&step_, &image_}) {
+    for (auto& point : *points) point.impulses.resize(base_.impulses.size());
+  }
   remembered_ = 0;
   anew_in_a_row_ = 0;
   foretold_square_ = 0.0;
@@ -187,6 +195,7 @@ void Search<D, Sweeps>::correct_velocities(const Problem<D>& problem) {
 }
 
 /// From what the last step changed against what was foretold: a base where the least change is to be expected.
+/// Velocities decide; impulses follow.
 template <int D, class Sweeps>
 void Search<D, Sweeps>::combine() {
   const double square = product(change_, change_);
@@ -197,29 +206,70 @@ void Search<D, Sweeps>::combine() {
   const auto slot = (newest_ + 1) % image_.size();
   auto& step = step_[slot];
   auto& image = image_[slot];
-  step = foretold_;
-  image = foretold_;
-  image.add(-1.0, change_);
+  step.motions = foretold_.motions;
+  image.motions = foretold_.motions;
+  add(image.motions, -1.0, change_.motions);
+  Combination combination;
   for (std::size_t back = 0; back < remembered_; ++back) {
     const auto other = (newest_ + image_.size() - back) % image_.size();
     const double along = product(image, image_[other]);
-    image.add(-along, image_[other]);
-    step.add(-along, step_[other]);
+    add(image.motions, -along, image_[other].motions);
+    add(step.motions, -along, step_[other].motions);
+    combination.others[back] = other;
+    combination.along_others[back] = along;
   }
   const double size = std::sqrt(product(image, image));
   if (!(size > 1e-12 * std::sqrt(foretold_square_))) {
     start_anew(square);
     return;
   }
-  step.scale(1.0 / size);
-  image.scale(1.0 / size);
-  const double along = product(foretold_, image);
-  base_.add(along, step);
-  foretold_.add(-along, image);
+  combination.factor = 1.0 / size;
+  scale(step.motions, combination.factor);
+  scale(image.motions, combination.factor);
+  combination.along = product(foretold_, image);
+  add(base_.motions, combination.along, step.motions);
+  add(foretold_.motions, -combination.along, image.motions);
+  combination.slot = slot;
+  if (remembered_ == 0) combine_impulses<0>(combination);
+  if (remembered_ == 1) combine_impulses<1>(combination);
+  if (remembered_ == 2) combine_impulses<2>(combination);
   foretold_square_ = product(foretold_, foretold_);
   newest_ = slot;
   anew_in_a_row_ = 0;
   remembered_ = std::min(remembered_ + 1, most_remembered);
+}
+
+/// The same with the impulses, all at once: memory is what it costs.
+template <int D, class Sweeps>
+template <std::size_t Others>
+void Search<D, Sweeps>::combine_impulses(const Combination& by) {
+  auto* __restrict to_step = step_[by.slot].impulses.data();
+  auto* __restrict to_image = image_[by.slot].impulses.data();
+  auto* __restrict base = base_.impulses.data();
+  auto* __restrict foretold = foretold_.impulses.data();
+  const auto* __restrict change = change_.impulses.data();
+  std::array<decltype(change), Others> steps;
+  std::array<decltype(change), Others> images;
+  for (std::size_t back = 0; back < Others; ++back) {
+    steps[back] = step_[by.others[back]].impulses.data();
+    images[back] = image_[by.others[back]].impulses.data();
+  }
+  const auto count = foretold_.impulses.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    auto step = foretold[k];
+    auto image = foretold[k];
+    image += change[k] * -1.0;
+    for (std::size_t back = 0; back < Others; ++back) {
+      image += images[back][k] * -by.along_others[back];
+      step += steps[back][k] * -by.along_others[back];
+    }
+    step = step * by.factor;
+    image = image * by.factor;
+    base[k] += step * by.along;
+    foretold[k] += image * -by.along;
+    to_step[k] = step;
+    to_image[k] = image;
+  }
 }
 
 /// To where the foretold change leads.

@@ -43,7 +43,6 @@ struct Point {
     motions.assign(bodies, {});
   }
   void add(double share, const Point& other);
-  void scale(double factor);
 };
 
 /// Solves a contact problem by symmetric sweeps of nonlinear Gauss-Seidel from the impulses that the contacts bring.
@@ -68,6 +67,18 @@ class Search {
  private:
   using Step = Point<D, typename Sweeps::Impulses>;
 
+  /// With two, one more than a symmetric map needs, rounding does less harm and contacts that slide do too.
+  static constexpr std::size_t most_remembered = 2;
+
+  /// How a step and its image are made orthogonal to others, scaled, and taken.
+  struct Combination {
+    std::array<std::size_t, most_remembered> others{};
+    std::array<double, most_remembered> along_others{};
+    double factor = 1.0;
+    double along = 0.0;
+    std::size_t slot = 0;
+  };
+
   void begin(Problem<D>& problem);
   void sweep(Problem<D>& problem, long sweeps);
   void take_change(const Problem<D>& problem);
@@ -75,14 +86,13 @@ class Search {
   bool small_enough(const Problem<D>& problem, Solution& solution);
   void correct_velocities(const Problem<D>& problem);
   void combine();
+  template <std::size_t Others>
+  void combine_impulses(const Combination& by);
   void start_anew(double square);
   double drift(const Problem<D>& problem, double square);
   bool leap(const Problem<D>& problem);
   void go_on(Problem<D>& problem);
   double product(const Step& a, const Step& b) const;
-
-  /// With two, one more than a symmetric map needs, rounding does less harm and contacts that slide do too.
-  static constexpr std::size_t most_remembered = 2;
 
   SolverSettings settings_;
   Sweeps sweeps_;
