@@ -8,6 +8,15 @@
 
 #include "repose/methods/contact_dynamics/pack_sweep.hpp"
 
+#if defined(__AVX512F__)
+#pragma GCC diagnostic push
+#if !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"  // g++ 12 warns of what its header leaves undefined on purpose
+#endif
+#include <immintrin.h>
+#pragma GCC diagnostic pop
+#endif
+
 #include <cstddef>
 #include <cstdint>
 
@@ -45,8 +54,11 @@ REPOSE_FN Half* halves(Body<2>& body) { return reinterpret_cast<Half*>(&body); }
 #endif
 
 #if defined(__AVX512F__)
-/// Two lines.
-REPOSE_FN Lanes both(const Line& a, const Line& b) { return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7); }
+// Compilers make shuffles of these two, where an instruction with an operand in memory needs none.
+REPOSE_FN Lanes both(const Line& a, const Line& b) {
+  return Lanes(_mm512_insertf64x4(_mm512_castpd256_pd512(__m256d(a)), __m256d(b), 1));
+}
+REPOSE_FN Line upper(const Lanes& a) { return Line(_mm512_extractf64x4_pd(__m512d(a), 1)); }
 
 REPOSE_FN void gather(Body<2>* of, const std::uint32_t* k, Bodies& to) {
   const Lanes a = both(line(of[k[0]]), line(of[k[4]]));
@@ -76,10 +88,10 @@ REPOSE_FN void scatter(const Bodies& from, Body<2>* of, const std::uint32_t* k) 
   line(of[k[1]]) = __builtin_shufflevector(b, b, 0, 1, 2, 3);
   line(of[k[2]]) = __builtin_shufflevector(c, c, 0, 1, 2, 3);
   line(of[k[3]]) = __builtin_shufflevector(d, d, 0, 1, 2, 3);
-  line(of[k[4]]) = __builtin_shufflevector(a, a, 4, 5, 6, 7);
-  line(of[k[5]]) = __builtin_shufflevector(b, b, 4, 5, 6, 7);
-  line(of[k[6]]) = __builtin_shufflevector(c, c, 4, 5, 6, 7);
-  line(of[k[7]]) = __builtin_shufflevector(d, d, 4, 5, 6, 7);
+  line(of[k[4]]) = upper(a);
+  line(of[k[5]]) = upper(b);
+  line(of[k[6]]) = upper(c);
+  line(of[k[7]]) = upper(d);
 }
 #elif defined(__AVX2__)
 /// A 4 x 4 table turned over.

@@ -12,7 +12,7 @@ namespace repose::contact_dynamics {
 
 namespace {
 
-/// The latest packs, one bit each: where it is remembered which bodies they hold.
+/// So many of the latest packs are remembered with the bodies that they hold: pack k is bit k modulo 64.
 constexpr std::size_t remembered = 64;
 /// Packs that are open at least, so that a contact can keep away from the packs beside those of its bodies. More do not
 /// make sweeps faster, and fewer keep nearer to the order of the contacts.
@@ -57,6 +57,7 @@ InstructionSet fastest_instruction_set() {
   return fastest;
 }
 
+/// Puts each contact into the oldest open pack that has none of its moving bodies.
 class Packs::Builder {
  public:
   Builder(Packs& packs, const Problem<2>& problem) : to_(packs), contacts_(problem.contacts) {
@@ -138,7 +139,7 @@ class Packs::Builder {
 
   void open() {
     const auto pack = to_.size();
-    if (open_ & bit(pack)) close(pack);
+    if (open_ & bit(pack)) close(pack);  // the one whose bit this takes
     if (pack >= remembered) forget(pack - remembered);
     to_.packs_.push_back(empty_);
     to_.contacts_.emplace_back().fill(none);
