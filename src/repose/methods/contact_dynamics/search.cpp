@@ -26,44 +26,52 @@ constexpr double shortest_leap = 8.0;
 constexpr long sweeps_before_watching = 200;
 constexpr long sweeps_per_watch = 20;
 
-/// Friction goes wholly to what solves its contact until this sweep.
+/// Infinite friction goes wholly to what solves its contact until this sweep.
 constexpr long sweeps_before_yielding = 100;
 
-template <int D>
-void add(std::vector<Motion<D>>& to, double share, const std::vector<Motion<D>>& other) {
-  for (std::size_t k = 0; k < to.size(); ++k) {
-    to[k].velocity += other[k].velocity * share;
-    to[k].rim_velocity += other[k].rim_velocity * share;
-  }
+constexpr std::size_t line = 8;  // doubles
+
+void add(AlignedDoubles& to, double share, const AlignedDoubles& other) {
+  for (std::size_t k = 0; k < to.size(); ++k) to[k] += other[k] * share;
 }
 
+void scale(AlignedDoubles& motions, double factor) {
+  for (auto& motion : motions) motion *= factor;
+}
+
+/// How many motions a body has.
 template <int D>
-void scale(std::vector<Motion<D>>& motions, double factor) {
-  for (auto& motion : motions) {
-    motion.velocity *= factor;
-    motion.rim_velocity *= factor;
+constexpr std::size_t motions_of = D == 2 ? 3 : 6;
+
+/// Calls with the place of each motion and the velocity of the body that it is.
+template <int D, class OfBody, class Visit>
+void for_each_motion(OfBody& body, std::size_t k, const Visit& visit) {
+  std::size_t place = k * motions_of<D>;
+  for (int d = 0; d < D; ++d) visit(place++, body.velocity[d]);
+  if constexpr (D == 2) {
+    visit(place, body.rim_velocity);
+  } else {
+    for (int d = 0; d < D; ++d) visit(place++, body.rim_velocity[d]);
   }
 }
 
 }  // namespace
 
-template <int D, class Impulses>
-void Point<D, Impulses>::add(double share, const Point& other) {
+template <class Impulses>
+void Point<Impulses>::add(double share, const Point& other) {
   for (std::size_t k = 0; k < impulses.size(); ++k) impulses[k] += other.impulses[k] * share;
   contact_dynamics::add(motions, share, other.motions);
 }
 
-/// Twice the kinetic energy that the two have in common. Four sums, for one would have to wait for itself.
+/// Twice the kinetic energy that the two have in common. As many sums as a cache line has numbers, for one would have
+/// to wait for itself.
 template <int D, class Sweeps>
 double Search<D, Sweeps>::product(const Step& a, const Step& b) const {
-  std::array<double, 4> sum{};
-  for (std::size_t k = 0; k < masses_.size(); ++k) {
-    const auto& u = a.motions[k];
-    const auto& v = b.motions[k];
-    const double turning = inner(u.rim_velocity, v.rim_velocity) / inverse_inertia_factor<D>;
-    sum[k % sum.size()] += masses_[k] * (dot(u.velocity, v.velocity) + turning);
+  std::array<double, line> sum{};
+  for (std::size_t k = 0; k < weights_.size(); k += line) {
+    for (std::size_t l = 0; l < line; ++l) sum[l] += weights_[k + l] * (a.motions[k + l] * b.motions[k + l]);
   }
-  return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+  return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
 }
 
 /// From velocities that go with the impulses.
@@ -71,15 +79,25 @@ template <int D, class Sweeps>
 void Search<D, Sweeps>::begin(Problem<D>& problem) {
   add_impulses(problem, problem.bodies);
   sweeps_.begin(problem);
-  masses_.clear();
-  base_.motions.clear();
-  for (const auto& body : problem.bodies) {
-    masses_.push_back(body.inverse_mass > 0.0 ? 1.0 / body.inverse_mass : 0.0);
-    base_.motions.push_back({body.velocity, body.rim_velocity});
+  yields_ = std::any_of(problem.contacts.begin(), problem.contacts.end(),
+                        [](const auto& c) { return std::isinf(c.friction); });
+  const auto bodies = problem.bodies.size();
+  const auto motions = (bodies * motions_of<D> + line - 1) / line * line;
+  weights_.assign(motions, 0.0);
+  base_.motions.assign(motions, 0.0);
+  for (std::size_t k = 0; k < bodies; ++k) {
+    const auto& body = problem.bodies[k];
+    const double mass = body.inverse_mass > 0.0 ? 1.0 / body.inverse_mass : 0.0;
+    for_each_motion<D>(body, k, [&](std::size_t place, double velocity) {
+      const bool turning = place % motions_of<D> >= D;
+      weights_[place] = turning ? mass / inverse_inertia_factor<D> : mass;
+      base_.motions[place] = velocity;
+    });
   }
   base_.impulses = sweeps_.impulses(problem);
-  foretold_.reset(base_.impulses.size(), problem.bodies.size());
-  change_.reset(base_.impulses.size(), problem.bodies.size());
+  foretold_.impulses.assign(base_.impulses.size(), {});
+  foretold_.motions.assign(motions, 0.0);
+  change_ = foretold_;
   for (auto* points : {&step_, &image_}) {
     for (auto& point : *points) point.impulses.resize(base_.impulses.size());
   }
@@ -94,8 +112,8 @@ void Search<D, Sweeps>::begin(Problem<D>& problem) {
 template <int D, class Sweeps>
 void Search<D, Sweeps>::sweep(Problem<D>& problem, long sweeps) {
   const auto pressed = [&](std::size_t place) { return sweeps_.pressed(problem, place); };
-  const bool partly = sweeps >= sweeps_before_yielding;
-  if (sweeps == sweeps_before_yielding) yielding_.begin(sweeps_.places(problem), pressed);
+  const bool partly = yields_ && sweeps >= sweeps_before_yielding;
+  if (partly && sweeps == sweeps_before_yielding) yielding_.begin(sweeps_.places(problem), pressed);
   sweeps_.sweep_to_and_fro(problem, partly ? yielding_.shares() : nullptr, change_.impulses);
   if (partly) yielding_.follow(pressed);
 }
@@ -104,11 +122,9 @@ void Search<D, Sweeps>::sweep(Problem<D>& problem, long sweeps) {
 template <int D, class Sweeps>
 void Search<D, Sweeps>::take_change(const Problem<D>& problem) {
   for (std::size_t k = 0; k < problem.bodies.size(); ++k) {
-    const auto& now = problem.bodies[k];
-    const auto& base = base_.motions[k];
-    const auto& foretold = foretold_.motions[k];
-    change_.motions[k].velocity = now.velocity - (base.velocity + foretold.velocity);
-    change_.motions[k].rim_velocity = now.rim_velocity - (base.rim_velocity + foretold.rim_velocity);
+    for_each_motion<D>(problem.bodies[k], k, [&](std::size_t place, double now) {
+      change_.motions[place] = now - (base_.motions[place] + foretold_.motions[place]);
+    });
   }
 }
 
@@ -120,10 +136,8 @@ bool Search<D, Sweeps>::look_is_due(const Solution& solution, double enough) con
   if (solution.sweeps >= sweeps_before_watching && solution.sweeps % sweeps_per_watch == 0) return true;
   if (solution.sweeps < next_look_) return false;
   double fastest = 0.0;
-  for (const auto& motion : change_.motions) {
-    fastest = std::max(fastest, squared(motion.velocity) + repose::squared(motion.rim_velocity));
-  }
-  return fastest <= enough * enough;
+  for (const double change : change_.motions) fastest = std::max(fastest, std::fabs(change));
+  return fastest <= enough;
 }
 
 /// Whether these impulses are what was wanted; keeps them if they are the best so far.
@@ -188,8 +202,8 @@ bool Search<D, Sweeps>::leap(const Problem<D>& problem) {
 template <int D, class Sweeps>
 void Search<D, Sweeps>::correct_velocities(const Problem<D>& problem) {
   for (std::size_t k = 0; k < scratch_.size(); ++k) {
-    base_.motions[k].velocity += scratch_[k].velocity - problem.bodies[k].velocity;
-    base_.motions[k].rim_velocity += scratch_[k].rim_velocity - problem.bodies[k].rim_velocity;
+    for_each_motion<D>(scratch_[k], k, [&](std::size_t place, double right) { base_.motions[place] += right; });
+    for_each_motion<D>(problem.bodies[k], k, [&](std::size_t place, double now) { base_.motions[place] -= now; });
   }
   leapt_ = false;
 }
@@ -199,7 +213,7 @@ void Search<D, Sweeps>::correct_velocities(const Problem<D>& problem) {
 template <int D, class Sweeps>
 void Search<D, Sweeps>::combine() {
   const double square = product(change_, change_);
-  if (!settings_.accelerated || !(square <= foretold_square_)) {
+  if (!(square <= foretold_square_)) {
     start_anew(square);
     return;
   }
@@ -277,9 +291,9 @@ template <int D, class Sweeps>
 void Search<D, Sweeps>::go_on(Problem<D>& problem) {
   sweeps_.set(base_.impulses, foretold_.impulses, problem);
   for (std::size_t k = 0; k < problem.bodies.size(); ++k) {
-    auto& body = problem.bodies[k];
-    body.velocity = base_.motions[k].velocity + foretold_.motions[k].velocity;
-    body.rim_velocity = base_.motions[k].rim_velocity + foretold_.motions[k].rim_velocity;
+    for_each_motion<D>(problem.bodies[k], k, [&](std::size_t place, double& velocity) {
+      velocity = base_.motions[place] + foretold_.motions[place];
+    });
   }
 }
 
@@ -303,8 +317,12 @@ Solution Search<D, Sweeps>::solve(Problem<D>& problem) {
         if (leapt_) correct_velocities(problem);
       }
       if (solution.sweeps >= settings_.most_sweeps) break;
-      if (!settings_.accelerated || solution.sweeps % sweeps_per_look != 0 || !leap(problem)) combine();
-      go_on(problem);
+      if (settings_.accelerated) {
+        if (solution.sweeps % sweeps_per_look != 0 || !leap(problem)) combine();
+        go_on(problem);
+      } else {
+        add(base_.motions, 1.0, change_.motions);
+      }
     }
     for (std::size_t k = 0; k < best_.size(); ++k) problem.contacts[k].impulse = best_[k];
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/aligned.hpp"
 #include "repose/methods/contact_dynamics/problem.hpp"
 #include "repose/methods/contact_dynamics/yielding.hpp"
 
@@ -26,22 +27,12 @@ struct Solution {
   bool converged = true;  ///< residual within the tolerance
 };
 
-template <int D>
-struct Motion {
-  Vec<D> velocity{};
-  Spin<D> rim_velocity{};
-};
-
 /// Impulses of all contacts with the velocities that they make: a point, or a step from one to another.
-template <int D, class Impulses>
+template <class Impulses>
 struct Point {
   Impulses impulses;
-  std::vector<Motion<D>> motions;
+  AlignedDoubles motions;  ///< velocities and rim velocities, body by body, then zeros to whole cache lines
 
-  void reset(std::size_t numbers, std::size_t bodies) {
-    impulses.assign(numbers, {});
-    motions.assign(bodies, {});
-  }
   void add(double share, const Point& other);
 };
 
@@ -65,7 +56,7 @@ class Search {
   Solution solve(Problem<D>& problem);
 
  private:
-  using Step = Point<D, typename Sweeps::Impulses>;
+  using Step = Point<typename Sweeps::Impulses>;
 
   /// With two, one more than a symmetric map needs, rounding does less harm and contacts that slide do too.
   static constexpr std::size_t most_remembered = 2;
@@ -97,7 +88,8 @@ class Search {
   SolverSettings settings_;
   Sweeps sweeps_;
   Yielding yielding_;
-  std::vector<double> masses_;                   // of the bodies; 0: nothing moves it
+  bool yields_ = false;                          // whether some friction is infinite
+  AlignedDoubles weights_;                       // of the motions in twice the kinetic energy; 0: of what nothing moves
   Step base_;                                    // where the next change is foretold
   Step foretold_;                                // that change
   Step change_;                                  // of the last sweeps

@@ -10,7 +10,7 @@
 
 namespace repose::contact_dynamics {
 
-/// Where friction is high, sweeps can end in a cycle: a contact opens, its friction is gone, it is pressed together
+/// Where friction is infinite, sweeps can end in a cycle: a contact opens, its friction is gone, it is pressed together
 /// again. So the friction of a contact goes only part of the way, less at every such turn.
 class Yielding {
  public:
