@@ -165,8 +165,14 @@ TEST_P(PackedSweeps, GiveTheBitsOfContactsOneByOne) {
   }
 }
 
+std::string name_of(const testing::TestParamInfo<InstructionSet>& set) {
+  if (set.param == InstructionSet::avx512) return "avx512";
+  return set.param == InstructionSet::avx2 ? "avx2" : "baseline";
+}
+
 INSTANTIATE_TEST_SUITE_P(Every, PackedSweeps,
-                         testing::Values(InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512));
+                         testing::Values(InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512),
+                         name_of);
 
 TEST(ContactPacks, NoMovingBodyTwiceAndEveryContactOnce) {
   Packs packs;  // used again and again, as in a run
