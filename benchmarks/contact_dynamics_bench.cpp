@@ -5,16 +5,16 @@
 // sweep, one way, is one. `sweeps` measures the solver at work from no impulses, `steps` whole steps with warm start;
 // `one_by_one` and `packed` the bare sweeps, contact by contact and in packs (instructions: 0 baseline, 1 AVX2,
 // 2 AVX-512), and `build` how long it takes to put the contacts into packs.
+#include "repose/core/aligned.hpp"
 #include "repose/core/random.hpp"
 #include "repose/methods/contact_dynamics/contact_dynamics.hpp"
+#include "repose/methods/contact_dynamics/line_sweeps.hpp"
 #include "repose/methods/contact_dynamics/packs.hpp"
-#include "repose/methods/contact_dynamics/relax.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include <map>
 #include <memory>
-#include <vector>
 
 namespace repose {
 namespace {
@@ -109,39 +109,13 @@ contact_dynamics::Problem<2> problem_of_bed(int count, bool rolling) {
   return problem;
 }
 
-template <bool Rolling>
-void sweep_one_by_one(contact_dynamics::Problem<2>& problem, std::vector<contact_dynamics::Impulse<2>>& changes) {
-  using namespace contact_dynamics;
-  const FreeBodies among;
-  auto* bodies = problem.bodies.data();
-  const auto count = problem.contacts.size();
-  for (std::size_t k = 0; k < count; ++k) {
-    auto& c = problem.contacts[k];
-    Impulse<2> change;
-    relax_translation(among, 1.0, c, bodies[c.first], bodies[c.second], change);
-    if constexpr (Rolling) relax_roll(among, c, bodies[c.first], bodies[c.second], change);
-    changes[k] = change;
-  }
-  for (std::size_t k = count; k-- > 0;) {
-    auto& c = problem.contacts[k];
-    if constexpr (Rolling) relax_roll(among, c, bodies[c.first], bodies[c.second], changes[k]);
-    relax_translation(among, 1.0, c, bodies[c.first], bodies[c.second], changes[k]);
-  }
-}
-
 void one_by_one(benchmark::State& state) {
   auto problem = problem_of_bed(static_cast<int>(state.range(0)), state.range(1) != 0);
-  std::vector<contact_dynamics::Impulse<2>> changes(problem.contacts.size());
-  for (auto _ : state) {
-    problem.rolling ? sweep_one_by_one<true>(problem, changes) : sweep_one_by_one<false>(problem, changes);
-  }
+  const contact_dynamics::LineSweeps<2> sweeps;
+  auto changes = sweeps.impulses(problem);
+  for (auto _ : state) sweeps.sweep_to_and_fro(problem, nullptr, changes);
   count_visits(state, problem.contacts.size(), 2.0);
 }
-
-/// Numbers as packs want them.
-struct alignas(64) PackNumbers {
-  double of[contact_dynamics::pack_numbers];
-};
 
 void packed(benchmark::State& state) {
   const auto set = static_cast<contact_dynamics::InstructionSet>(state.range(2));
@@ -149,13 +123,12 @@ void packed(benchmark::State& state) {
   auto problem = problem_of_bed(static_cast<int>(state.range(0)), state.range(1) != 0);
   contact_dynamics::Packs packs;
   packs.build(problem);
-  std::vector<PackNumbers> impulses(packs.size());
-  std::vector<PackNumbers> changes(packs.size());
-  packs.load(problem.contacts, impulses.front().of);
+  AlignedDoubles impulses(packs.size() * contact_dynamics::pack_numbers);
+  AlignedDoubles changes(impulses.size());
+  packs.load(problem.contacts, impulses.data());
   problem.bodies.emplace_back();
   for (auto _ : state) {
-    packs.sweep_to_and_fro(impulses.front().of, problem.bodies.data(), changes.front().of, nullptr, problem.rolling,
-                           set);
+    packs.sweep_to_and_fro(impulses.data(), problem.bodies.data(), changes.data(), nullptr, problem.rolling, set);
   }
   count_visits(state, problem.contacts.size(), 2.0);
   state.counters["filling"] = static_cast<double>(problem.contacts.size()) / static_cast<double>(8 * packs.size());

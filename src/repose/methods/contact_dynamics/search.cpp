@@ -244,6 +244,7 @@ void Search<D, Sweeps>::combine() {
   add(base_.motions, combination.along, step.motions);
   add(foretold_.motions, -combination.along, image.motions);
   combination.slot = slot;
+  static_assert(most_remembered == 2);
   if (remembered_ == 0) combine_impulses<0>(combination);
   if (remembered_ == 1) combine_impulses<1>(combination);
   if (remembered_ == 2) combine_impulses<2>(combination);
