@@ -3,7 +3,6 @@
 """Draws the standard pictures of a run or sweep folder: `python3 -m repose.plot DIR`, or `repose plot DIR`."""
 
 import argparse
-import os
 import sys
 from functools import partial
 
@@ -65,17 +64,6 @@ def parser():
     return new
 
 
-def save(figure, path, kind, dpi, title):
-    """Writes a picture under a temporary name and renames it, so that nobody meets half a file."""
-    metadata = {"Title": title, "Date": None} if kind == "svg" else {"Title": title}
-    temporary = path.with_name(f".{path.name}.{os.getpid()}")
-    try:
-        figure.savefig(temporary, format=kind, dpi=dpi, metadata=metadata)
-        os.replace(temporary, path)
-    finally:
-        temporary.unlink(missing_ok=True)
-
-
 def pictures_of(folder, frame):
     """Functions without arguments that return lists of figures, by name, and what to append to the names."""
     if isinstance(folder, repose.SweepFolder):
@@ -101,7 +89,7 @@ def draw_pictures(folder, pictures, suffix, options):
             for k, figure in enumerate(figures, 1):
                 for kind in options.format:
                     path = place / f"{name}{suffix}{f'-{k}' if k > 1 else ''}.{kind}"
-                    save(figure, path, kind, options.dpi, folder.attributes["title"])
+                    style.save(figure, path, kind, options.dpi, folder.attributes["title"])
                     print(path)
 
 

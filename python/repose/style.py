@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One look for all pictures: restrained, colour-blind safe (Okabe and Ito), small in vector formats."""
 
+import os
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from matplotlib import colormaps
@@ -95,3 +97,23 @@ def caption(figure, text):
     """Small grey text in the top left corner."""
     width, height = figure.get_size_inches()
     figure.text(0.08 / width, 1.0 - 0.08 / height, text, ha="left", va="top", fontsize=7, color=GREY)
+
+
+def settings(model):
+    """Name and parameters of a model of theory, in a line."""
+    written = (f"{parameter.name} = {parameter.value}" for parameter in model.parameters)
+    return f"{model.name}: {', '.join(written)}"
+
+
+def save(figure, path, kind, dpi, title):
+    """Writes a picture under a temporary name and renames it, so that nobody meets half a file."""
+    metadata = {"Title": title}
+    if kind != "png":
+        metadata["Date" if kind == "svg" else "CreationDate"] = None  # the same figure gives the same file
+    path = Path(path)
+    temporary = path.with_name(f".{path.name}.{os.getpid()}")
+    try:
+        figure.savefig(temporary, format=kind, dpi=dpi, metadata=metadata)
+        os.replace(temporary, path)
+    finally:
+        temporary.unlink(missing_ok=True)

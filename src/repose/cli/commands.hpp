@@ -27,6 +27,7 @@ Command add_sweep(CLI::App& app);
 Command add_analyse(CLI::App& app);
 Command add_export(CLI::App& app);
 Command add_solve(CLI::App& app);
+Command add_theory(CLI::App& app);
 Command add_plot(CLI::App& app);
 
 }  // namespace repose

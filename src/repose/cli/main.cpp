@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
   const auto analyse = add_analyse(app);
   const auto exports = add_export(app);
   const auto solve = add_solve(app);
+  const auto theory = add_theory(app);
   const auto plot = add_plot(app);
   try {
     app.parse(argc, argv);
@@ -41,7 +42,7 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : exit_bad_input;
   }
   try {
-    for (const auto& command : {run, check, resume, sweep, analyse, exports, solve, plot}) {
+    for (const auto& command : {run, check, resume, sweep, analyse, exports, solve, theory, plot}) {
       if (command.app->parsed()) return command.act();
     }
   } catch (const InputError& error) {

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/theory/models.hpp"
+
+#include "repose/core/errors.hpp"
+#include "repose/theory/read_settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+namespace repose::theory {
+
+namespace {
+
+template <std::size_t... Index>
+std::vector<Model> every_model(std::index_sequence<Index...> /*of the variant*/) {
+  return {Model{std::in_place_index<Index>}...};
+}
+
+/// Writes the parameters of a model down.
+class Describer : public ModelParameters {
+ public:
+  std::vector<ParameterText> texts;
+
+  void number(std::string_view name, double& value, const Bounds& bounds, std::string_view unit,
+              std::string_view about) override {
+    add(name, std::isnan(value) ? "" : fmt::format("{}", value), unit, bounds.text(), about);
+  }
+  void optional_number(std::string_view name, std::optional<double>& value, std::string_view otherwise,
+                       const Bounds& bounds, std::string_view unit, std::string_view about) override {
+    add(name, value ? fmt::format("{}", *value) : std::string{otherwise}, unit, bounds.text(), about);
+  }
+  void integer(std::string_view name, std::int64_t& value, const WholeBounds& bounds, std::string_view about) override {
+    add(name, fmt::format("{}", value), "1", bounds.text(), about);
+  }
+  void choice(std::string_view name, std::string& value, const std::vector<std::string>& words,
+              std::string_view about) override {
+    add(name, value, "", fmt::format("must be {}", fmt::join(words, " | ")), about);
+  }
+  void text(std::string_view name, std::string& value, std::string_view about) override {
+    add(name, value, "", "", about);
+  }
+
+ private:
+  void add(std::string_view name, std::string value, std::string_view unit, std::string allowed,
+           std::string_view about) {
+    texts.push_back({std::string{name}, std::move(value), std::string{unit}, std::move(allowed), std::string{about}});
+  }
+};
+
+std::string value_of(const ParameterText& parameter) {
+  if (parameter.value.empty()) return "(must be given)";
+  const bool with_unit = !parameter.unit.empty() && parameter.unit != "1";
+  return with_unit ? parameter.value + " " + parameter.unit : parameter.value;
+}
+
+std::string unit_in_brackets(const std::string& unit) { return unit.empty() ? "" : fmt::format(" [{}]", unit); }
+
+}  // namespace
+
+std::vector<Model> default_models() { return every_model(std::make_index_sequence<std::variant_size_v<Model>>{}); }
+
+Model make_model(std::string_view name, const std::vector<Setting>& settings) {
+  std::vector<std::string_view> names;
+  for (auto& model : default_models()) {
+    names.push_back(text_of(model).name);
+    if (names.back() != name) continue;
+    std::visit([&](auto& kind) { read_settings(kind, settings); }, model);
+    return model;
+  }
+  throw InputError(fmt::format("{}: no such model of theory; must be {}", name, fmt::join(names, " | ")));
+}
+
+ModelText text_of(const Model& model) {
+  return std::visit([](const auto& kind) { return std::decay_t<decltype(kind)>::text; }, model);
+}
+
+std::vector<ParameterText> parameters_of(const Model& model) {
+  Describer describer;
+  auto copy = model;
+  std::visit([&](auto& kind) { parameters(kind, describer); }, copy);
+  return describer.texts;
+}
+
+Table predict(const Model& model) {
+  return std::visit([](const auto& kind) { return evaluate(kind); }, model);
+}
+
+std::string as_csv(const Model& model, const Table& table) {
+  const auto text = text_of(model);
+  std::string csv = fmt::format("# {}: {}\n# source: {}\n", text.name, text.about, text.source);
+  for (const auto& parameter : parameters_of(model)) {
+    csv += fmt::format("# parameter {} = {}: {}\n", parameter.name, value_of(parameter), parameter.about);
+  }
+  for (const auto& number : table.numbers) {
+    csv +=
+        fmt::format("# result {} = {}{}: {}\n", number.name, number.value, unit_in_brackets(number.unit), number.about);
+  }
+  for (const auto& column : table.columns) {
+    csv += fmt::format("# column {}{}: {}\n", column.name, unit_in_brackets(column.unit), column.about);
+  }
+  std::vector<std::string> cells;
+  const auto add_row = [&] {
+    csv += fmt::format("{}\n", fmt::join(cells, ","));
+    cells.clear();
+  };
+  std::size_t rows = 0;
+  for (const auto& column : table.columns) {
+    cells.push_back(column.name);
+    rows = std::max(column.values.size(), column.words.size());
+  }
+  add_row();
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (const auto& column : table.columns) {
+      cells.push_back(column.words.empty() ? fmt::format("{}", column.values[row]) : quoted(column.words[row]));
+    }
+    add_row();
+  }
+  return csv;
+}
+
+std::string list_of_models() {
+  std::string list;
+  for (const auto& model : default_models()) {
+    const auto text = text_of(model);
+    list += fmt::format("{}{}\n    {}\n    Source: {}\n", list.empty() ? "" : "\n", text.name, text.about, text.source);
+    for (const auto& parameter : parameters_of(model)) {
+      list += fmt::format("    {} = {}: {}{}{}\n", parameter.name, value_of(parameter), parameter.about,
+                          parameter.allowed.empty() ? "" : "; ", parameter.allowed);
+    }
+  }
+  return list;
+}
+
+}  // namespace repose::theory

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/theory/base_force.hpp"
+#include "repose/theory/model_parameters.hpp"
+#include "repose/theory/table.hpp"
+
+#include <cstdint>
+
+namespace repose::theory {
+
+/// Close-packed pile of infinitely small discs, whose weight runs down the two lattice directions at 60 degrees.
+/// Source: Liffman et al. (1992), eqs (49)-(59). Validated by tests/theory/pile_continuum_test.cpp.
+struct PileContinuum {
+  double slope_deg = 30.0;    ///< of both flanks, in (0, 60)
+  std::int64_t points = 201;  ///< along the base
+
+  static constexpr ModelText text{.name = "pile-continuum",
+                                  .about = "Base forces of a close-packed triangular pile in the continuum limit",
+                                  .source = "Liffman, Chan and Hughes 1992, eqs (49)-(59)"};
+};
+
+/// Base force [chi g B] at x/B in [0, 1].
+BaseForce base_force(const PileContinuum& model, double x_over_b);
+
+void parameters(PileContinuum& model, ModelParameters& to);
+
+/// Columns x_over_b, normal, shear (chi g B).
+Table evaluate(const PileContinuum& model);
+
+}  // namespace repose::theory
