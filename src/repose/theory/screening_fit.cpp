@@ -143,11 +143,11 @@ double best_of_all_scales(const ScreeningLaw& law, const Problem& problem, const
   const auto found =
       boost::math::tools::brent_find_minima(misfit, best - step, best + step, std::numeric_limits<double>::digits / 2);
   const double tolerance = rounding * squares;
-  if (misfit(range.high) <= found.second + tolerance) {
+  if (best >= range.high - step || misfit(range.high) <= found.second + tolerance) {
     not_determined(law.parameters == 2 ? "a straight line through 0 (lambda_2 -> infinity) fits as well"
                                        : "no friction (lambda -> infinity) fits as well");
   }
-  if (misfit(range.low) <= found.second + tolerance) {
+  if (best <= range.low || misfit(range.low) <= found.second + tolerance) {
     if (law.sense < 0.0) not_determined("mass at the greatest height alone (lambda_2 -> 0) fits as well");
     not_determined(law.parameters == 2 ? "the same mass at all heights (lambda_2 -> 0) fits as well"
                                        : "no mass at all (lambda -> 0) fits as well");
