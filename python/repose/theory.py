@@ -4,16 +4,16 @@
 
 >>> from repose import theory
 >>> pile = theory.predict("pile-continuum", slope_deg=30)
->>> pile["x_over_b"].shape, float(pile["normal"].max())
+>>> pile["x_over_b"].shape, round(float(pile["normal"].max()), 12)
 ((201,), 0.25)
 
 `python3 -m repose.theory MODEL --plot FILE` draws a model.
 """
 
 import argparse
-import os
 import sys
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -100,9 +100,6 @@ def predict(model, **settings):
     )
 
 
-FORMATS = (".png", ".svg", ".pdf")
-
-
 def _draw(options):
     import matplotlib
 
@@ -112,8 +109,7 @@ def _draw(options):
     prediction = predict(options.model, **dict(setting.split("=", 1) for setting in options.set))
     with matplotlib.rc_context(style.RC):
         figure = figure_of(prediction)
-        kind = os.path.splitext(options.plot)[1][1:].lower()
-        style.save(figure, options.plot, kind, options.dpi, prediction.model.about)
+        style.save(figure, options.plot, Path(options.plot).suffix[1:], options.dpi, prediction.model.about)
 
 
 def main(arguments=None):
@@ -125,8 +121,6 @@ def main(arguments=None):
     parser.add_argument("--dpi", type=int, default=200)
     options = parser.parse_args(arguments)
     try:
-        if not options.plot.lower().endswith(FORMATS):
-            raise InputError(f"{options.plot}: must end in {', '.join(FORMATS)}")
         _draw(options)
     except InputError as error:
         print(error, file=sys.stderr)

@@ -51,6 +51,14 @@ void check_folder_of(const std::string& file) {
   if (std::filesystem::is_directory(file, error)) throw InputError(fmt::format("{}: is a folder", file));
 }
 
+void check_picture(const std::string& file) {
+  check_folder_of(file);
+  const auto kind = std::filesystem::path{file}.extension();
+  if (kind != ".png" && kind != ".svg" && kind != ".pdf") {
+    throw InputError(fmt::format("{}: must end in .png, .svg or .pdf", file));
+  }
+}
+
 void write_table(const std::string& file, const std::string& csv) {
   WholeFile whole{file};
   whole.write(csv);
@@ -65,7 +73,7 @@ int act(const TheoryOptions& options) {
   if (options.model.empty()) throw InputError("repose theory: which model? `repose theory --list` names them");
   const bool to_file = !options.csv.empty() && options.csv != "-";
   if (to_file) check_folder_of(options.csv);
-  if (!options.plot.empty()) check_folder_of(options.plot);
+  if (!options.plot.empty()) check_picture(options.plot);
   const auto model = theory::make_model(options.model, split(options.settings));
   const auto table = theory::predict(model);
   if (to_file) {
