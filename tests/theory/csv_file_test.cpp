@@ -48,7 +48,7 @@ TEST_F(CsvFileTest, ReadsNumbersPastComments) {
 
 TEST_F(CsvFileTest, SaysWhereItIsWrong) {
   EXPECT_EQ(complaint([&] { read("a,b\n1,2\n3\n4,5,6\n"); }),
-            path + ":3: has 1 cells, the line of names has 2\n" + path + ":4: has 3 cells, the line of names has 2");
+            path + ":3: has 1 cell, the line of names has 2\n" + path + ":4: has 3 cells, the line of names has 2");
   const auto file = read("a,b\n1,2\nx,3\n4m,nan\n");
   EXPECT_EQ(complaint([&] { file.numbers("a"); }),
             path + ":3: a = x: is not a finite number\n" + path + ":4: a = 4m: is not a finite number");

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 namespace repose::theory {
 namespace {
@@ -26,6 +27,31 @@ TEST(JanssenDiscrete, ClosedFormIsTheRecursion) {
         ASSERT_NEAR(here, above + 3.0 + static_cast<double>(sense) * 2.0 * k_mu * here, 1e-12 * here);
       }
     }
+  }
+}
+
+// The same with walls that are pressed by other forces of the cell.
+TEST(JanssenDiscrete, OtherLoadsOfTheWalls) {
+  for (const auto* direction : {"rest", "pushed-up"}) {
+    for (const double k_mu : {1e-12, 0.1, 0.45}) {
+      const JanssenDiscrete mean{.k_mu = k_mu, .direction = direction, .wall_load = "mean"};
+      const JanssenDiscrete above{.k_mu = k_mu, .direction = direction, .wall_load = "above"};
+      const double walls = (mean.direction == "rest" ? -2.0 : 2.0) * k_mu;
+      for (int layer = 1; layer <= 40; ++layer) {
+        const double m_0 = layer == 1 ? 0.0 : force_below(mean, layer - 1);
+        const double m_1 = force_below(mean, layer);
+        ASSERT_NEAR(m_1, m_0 + 3.0 + walls * 0.5 * (m_0 + m_1), 1e-13 * m_1) << direction << k_mu << ' ' << layer;
+        const double a_0 = layer == 1 ? 0.0 : force_below(above, layer - 1);
+        const double a_1 = force_below(above, layer);
+        ASSERT_NEAR(a_1, a_0 + 3.0 + walls * a_0, 1e-13 * a_1) << direction << k_mu << ' ' << layer;
+      }
+    }
+    // The ratio of the mean is even in K mu; that of the other end is that of the other direction.
+    const auto ratio = [&](const char* load) {
+      return discrete_lengths({.k_mu = 0.1, .direction = direction, .wall_load = load}).ratio;
+    };
+    EXPECT_NEAR(ratio("mean"), std::log(1.1 / 0.9) / 0.2, 1e-14);
+    EXPECT_NEAR(ratio("above"), std::string{direction} == "rest" ? 1.11572 : 0.91161, 5e-6);
   }
 }
 
@@ -57,6 +83,11 @@ TEST(JanssenDiscrete, RefusesAJamAndAnOverflow) {
   EXPECT_TRUE(relations(JanssenDiscrete{.k_mu = 0.4999, .layers = 50, .direction = "pushed-up"}).empty());
   EXPECT_EQ(relations(JanssenDiscrete{.k_mu = 0.4999, .layers = 500, .direction = "pushed-up"}).size(), 1u);
   EXPECT_TRUE(relations(JanssenDiscrete{.k_mu = 5.0, .layers = 500}).empty());
+  EXPECT_EQ(relations(JanssenDiscrete{.k_mu = 0.5, .wall_load = "above"}).size(), 1u);
+  EXPECT_TRUE(relations(JanssenDiscrete{.k_mu = 5.0, .direction = "pushed-up", .wall_load = "above"}).empty());
+  EXPECT_EQ(relations(JanssenDiscrete{.k_mu = 1.0, .direction = "pushed-up", .wall_load = "mean"}).size(), 1u);
+  EXPECT_EQ(relations(JanssenDiscrete{.k_mu = 1.0, .wall_load = "mean"}).size(), 1u);
+  EXPECT_TRUE(relations(JanssenDiscrete{.k_mu = 0.99, .wall_load = "mean"}).empty());
 }
 
 }  // namespace

@@ -82,8 +82,8 @@ CsvFile::CsvFile(const std::string& file) : file_(file) {
         problems.push_back(fmt::format("{}:{}: two columns have the same name", file, number));
       }
     } else if (cells.size() != names_.size()) {
-      problems.push_back(
-          fmt::format("{}:{}: has {} cells, the line of names has {}", file, number, cells.size(), names_.size()));
+      problems.push_back(fmt::format("{}:{}: has {} cell{}, the line of names has {}", file, number, cells.size(),
+                                     cells.size() == 1 ? "" : "s", names_.size()));
     } else {
       rows_.push_back(std::move(cells));
       lines_.push_back(number);

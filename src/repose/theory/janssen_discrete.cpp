@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -15,8 +16,21 @@ namespace {
 
 constexpr double grains_in_cell = 3.0;
 
-/// 2 K mu, negative pushed up: F_i = (F_(i-1) + 3) / (1 + friction_share).
+/// 2 K mu, negative pushed up.
 double friction_share(const JanssenDiscrete& stack) { return wall_sense(stack.direction) * 2.0 * stack.k_mu; }
+
+/// Part of the load of a wall that is from the force below the cell, the rest from above.
+double part_from_below(const JanssenDiscrete& stack) {
+  if (stack.wall_load == "below") return 1.0;
+  return stack.wall_load == "mean" ? 0.5 : 0.0;
+}
+
+/// -ln A of F_i = A F_(i-1) + B, by the balance F_i = F_(i-1) + 3 - q [part F_i + (1 - part) F_(i-1)].
+double decay(const JanssenDiscrete& stack) {
+  const double q = friction_share(stack);
+  const double part = part_from_below(stack);
+  return std::log1p(part * q) - std::log1p(-(1.0 - part) * q);
+}
 
 }  // namespace
 
@@ -24,33 +38,37 @@ double force_below(const JanssenDiscrete& stack, std::int64_t layers) {
   const double q = friction_share(stack);
   const auto cells = static_cast<double>(layers);
   if (q == 0.0) return grains_in_cell * cells;
-  return grains_in_cell * (-std::expm1(-cells * std::log1p(q)) / q);  // (34) with A = 1/(1 + q), B = 3/(1 + q)
+  return grains_in_cell * (-std::expm1(-cells * decay(stack)) / q);  // (34): B/(1 - A) = 3/q whatever the part
 }
 
 DiscreteLengths discrete_lengths(const JanssenDiscrete& stack) {
   const double q = friction_share(stack);
   constexpr double infinite = std::numeric_limits<double>::infinity();
   if (q == 0.0) return {.lambda_1 = infinite, .lambda_2 = infinite, .ratio = 1.0};
-  const double logarithm = std::log1p(q);
-  return {.lambda_1 = 1.0 / std::abs(q), .lambda_2 = 1.0 / std::abs(logarithm), .ratio = logarithm / q};
+  return {.lambda_1 = 1.0 / std::abs(q), .lambda_2 = 1.0 / std::abs(decay(stack)), .ratio = decay(stack) / q};
 }
 
 void parameters(JanssenDiscrete& stack, ModelParameters& to) {
-  to.number("k_mu", stack.k_mu, not_negative, "1", "stress ratio times friction of the walls, below 1/2 pushed up");
+  to.number("k_mu", stack.k_mu, not_negative, "1", "stress ratio times friction of the walls; 2 k_mu < 1 pushed up");
   to.integer("layers", stack.layers, {.low = 1, .high = 10'000'000}, "cells");
   to.choice("direction", stack.direction, column_directions(),
             "rest: the walls carry; pushed-up: they hold back with the same friction");
+  to.choice("wall_load", stack.wall_load, {"below", "mean", "above"},
+            "the force that presses on the walls: below the cell as in (31), above it, or their mean");
 }
 
 std::vector<std::string> relations(const JanssenDiscrete& stack) {
-  if (stack.direction == "rest") return {};
-  if (2.0 * stack.k_mu >= 1.0) {
+  const double q = friction_share(stack);
+  const double part = part_from_below(stack);
+  const double largest = std::max(-part * q, (1.0 - part) * q);  // below 1, or A is negative or infinite
+  if (largest >= 1.0) {
     return {
-        fmt::format("k_mu = {}: must be < 0.5 pushed up, where 2 k_mu >= 1 jams: walls hold back all that a cell "
-                    "is pushed with",
-                    stack.k_mu)};
+        fmt::format("k_mu = {}: must be < {} {} with wall_load = {}: the walls would take all that a cell is pushed "
+                    "with, or more",
+                    stack.k_mu, stack.wall_load == "mean" ? "1" : "0.5",
+                    stack.direction == "rest" ? "at rest" : "pushed up", stack.wall_load)};
   }
-  const double x = static_cast<double>(stack.layers) / discrete_lengths(stack).lambda_2;
+  const double x = static_cast<double>(stack.layers) * -decay(stack);
   if (x <= highest_push) return {};
   return {
       fmt::format("layers = {}: are {:.6g} times lambda_2, must be <= {} times pushed up, where force grows as "
@@ -71,7 +89,8 @@ Table evaluate(const JanssenDiscrete& stack) {
   const bool saturates = stack.direction == "rest";
   return {{layers, forces},
           {{"lambda_1", lengths.lambda_1, "l", "1/(2 k_mu), in heights of a cell; sets the size of the force"},
-           {"lambda_2", lengths.lambda_2, "l", "1/|ln(1 +- 2 k_mu)|, in heights of a cell; sets its change with depth"},
+           {"lambda_2", lengths.lambda_2, "l",
+            "in heights of a cell, sets its change with depth; 1/|ln(1 +- 2 k_mu)| with wall_load = below"},
            {"ratio", lengths.ratio, "1", "lambda_1/lambda_2; 1 in a continuum"},
            {"saturation_force", saturates ? grains_in_cell * lengths.lambda_1 : std::numeric_limits<double>::infinity(),
             "m g", "force far below the top; infinite pushed up or without friction"}}};

@@ -15,9 +15,10 @@ namespace repose::theory {
 /// whose walls act at a few heights only. Grains do not turn.
 /// Source: Bratberg's thesis (2003), eqs (30)-(40), corrected. Validated by tests/theory/janssen_discrete_test.cpp.
 struct JanssenDiscrete {
-  double k_mu = 0.1;               ///< K mu; below 1/2 pushed up
-  std::int64_t layers = 20;        ///< cells, N
-  std::string direction = "rest";  ///< rest | pushed-up
+  double k_mu = 0.1;                ///< K mu; below 1/2 pushed up
+  std::int64_t layers = 20;         ///< cells, N
+  std::string direction = "rest";   ///< rest | pushed-up
+  std::string wall_load = "below";  ///< below, N_i = K F_i of (31) | mean, K (F_(i-1) + F_i)/2 | above, K F_(i-1)
 
   static constexpr ModelText text{.name = "janssen-discrete",
                                   .about = "Force below a column of cells of three grains between two rough walls",
@@ -32,7 +33,7 @@ double force_below(const JanssenDiscrete& stack, std::int64_t layers);
 struct DiscreteLengths {
   double lambda_1 = 0.0;
   double lambda_2 = 0.0;
-  double ratio = 1.0;  ///< lambda_1/lambda_2; above 1 pushed up, below 1 at rest
+  double ratio = 1.0;  ///< lambda_1/lambda_2; with the load of (31) above 1 pushed up, below 1 at rest
 };
 DiscreteLengths discrete_lengths(const JanssenDiscrete& stack);
 
