@@ -74,16 +74,28 @@ TEST(Mohr, PrincipalStresses) {
   EXPECT_TRUE(std::isnan(circle_of({.s_xx = 1.0, .s_zz = 1.0, .s_xz = 0.0}).principal_angle_deg));
 }
 
-// A minor stress far below the major one: the root of s^2 - (a + b) s + (a b - c^2) in long double.
+// A minor stress far below the major one. Without shear it is what was given; with shear the determinant is 2^-40
+// exactly, and the product of the two.
 TEST(Mohr, SmallPrincipalStressKeepsItsDigits) {
-  for (const double scale : {1.0, 1e-90, 1e90}) {
-    const double root = 1.0 - 1e-13;
-    const Mohr place{.s_xx = scale, .s_zz = scale, .s_xz = scale * root};
-    const double expected = scale - scale * root;
-    EXPECT_NEAR(circle_of(place).minor, expected, 1e-15 * expected);
-    const auto mirrored = circle_of({.s_xx = -scale, .s_zz = -scale, .s_xz = scale * root});
-    EXPECT_NEAR(mirrored.major, -expected, 1e-15 * expected);
+  for (const double scale : {1.0, 0x1p-300, 0x1p300}) {
+    for (const double sign : {1.0, -1.0}) {
+      const double small = 3e-13 * scale;
+      const auto plain = circle_of({.s_xx = sign * small, .s_zz = sign * scale, .s_xz = 0.0});
+      EXPECT_NEAR(sign > 0.0 ? plain.minor : -plain.major, small, 1e-15 * small);
+      const Mohr sheared{.s_xx = sign * 0.5 * (1.0 + 0x1p-40) * scale, .s_zz = sign * 2.0 * scale, .s_xz = scale};
+      const auto circle = circle_of(sheared);
+      const double large = (sign > 0.0 ? circle.major : -circle.minor) / scale;
+      EXPECT_NEAR(large, 2.5, 1e-11);
+      const double other = (sign > 0.0 ? circle.minor : -circle.major) / scale;
+      EXPECT_NEAR(other, 0x1p-40 / large, 1e-15 * other);
+    }
   }
+  // Products that are not exact, in 64 bits: the difference is right to 1e-19 / 1e-9, in double alone to 1e-7.
+  const Mohr place{.s_xx = 1.1 * 1.1 / 3.0 * (1.0 + 1e-9), .s_zz = 3.0, .s_xz = 1.1};
+  const long double determinant =
+      static_cast<long double>(place.s_xx) * 3.0L - std::pow(static_cast<long double>(1.1), 2.0L);
+  const auto circle = circle_of(place);
+  EXPECT_NEAR(circle.minor, static_cast<double>(determinant) / circle.major, 1e-9 * circle.minor);
 }
 
 // Slip on some plane is what (15) says, whichever way all planes are tried.
