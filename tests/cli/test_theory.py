@@ -94,7 +94,9 @@ def test_python_has_the_same_numbers_to_the_bit(settings):
         _, names, rows = table_of(repose("theory", model, *words).stdout)
         assert list(got[model]) == names, model
         for name, *cells in zip(names, *rows):
-            printed = [cell if "x" not in value else float(cell).hex() for cell, value in zip(cells, got[model][name])]
+            of_model = got[model][name]
+            is_hex = [value.lstrip("-").startswith("0x") for value in of_model]
+            printed = [float(cell).hex() if is_number else cell for cell, is_number in zip(cells, is_hex)]
             assert [v if v != "nan" else "nan" for v in got[model][name]] == [
                 "nan" if cell == "nan" else cell for cell in printed
             ], (model, name)

@@ -2,10 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of the models of theory: each is a function of a Prediction that returns a figure."""
 
-from repose.theory_pictures import base
+from repose.theory_pictures import base, columns, mohr, packing, quasi_elastic
 
 PICTURES = {
     "pile-continuum": base.draw,
+    "janssen": columns.draw_janssen,
+    "janssen-discrete": columns.draw_discrete,
+    "janssen-fit": columns.draw_fit,
+    "mohr": mohr.draw,
+    "quasi-elastic": quasi_elastic.draw,
+    "packing": packing.draw,
 }
 
 

@@ -1,0 +1,28 @@
+# SPDX-FileCopyrightText: 2026 The Repose developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Captions of models with many parameters."""
+
+import textwrap
+
+from repose import style
+
+LETTERS_PER_INCH = 19  # of the caption's letters, on average
+LINE = 0.13  # inches
+
+
+def add(figure, model, leave_out=()):
+    """Name and parameters of a model above a figure, in as many lines as they need; the height of those (inches)."""
+    written = ", ".join(
+        f"{parameter.name}\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}{parameter.value}"
+        for parameter in model.parameters
+        if parameter.name not in leave_out
+    )
+    width = figure.get_size_inches()[0]
+    lines = textwrap.wrap(f"{model.name}: {written}", int(LETTERS_PER_INCH * width), break_long_words=False)
+    style.caption(figure, "\n".join(lines))
+    return 0.1 + LINE * len(lines)
+
+
+def fit_below(figure, height):
+    """Lays the axes out below a caption of this height (inches)."""
+    figure.tight_layout(pad=0.4, rect=(0.0, 0.0, 1.0, 1.0 - height / figure.get_size_inches()[1]))

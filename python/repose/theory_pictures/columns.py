@@ -1,0 +1,125 @@
+# SPDX-FileCopyrightText: 2026 The Repose developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Columns between walls: Janssen's law, its discrete form, and fits of both."""
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+
+from repose import style
+from repose.theory_pictures import captions
+
+
+def draw_janssen(prediction):
+    """Stress against depth with the hydrostatic line, and what the stress saturates at."""
+    figure = Figure(figsize=(4.6, 3.4))
+    axes, masses = figure.subplots(1, 2, sharey=True)
+    depth = prediction["depth"]
+    for panel, name, label in ((axes, "stress", "vertical stress"), (masses, "apparent_mass", "apparent mass")):
+        saturation = prediction["saturation_stress" if name == "stress" else "saturation_mass"]
+        slope = prediction["mass_per_height"]
+        if name == "stress":
+            slope *= _settings(prediction)["gravity"] / _area(prediction)
+        start = prediction[name][0]
+        panel.plot(start + slope * depth, depth, color=style.GREY, linewidth=0.9, dashes=(4, 2), label="no friction")
+        panel.plot(prediction[name], depth, color=style.BLUE, linewidth=1.4, label="Janssen")
+        if np.isfinite(saturation):
+            panel.axvline(saturation, color=style.ORANGE, linewidth=0.9, dashes=(1, 1.5), label="saturation")
+        largest = max(prediction[name].max(), start + slope * depth[-1] if prediction["lambda"] > depth[-1] else 0.0)
+        if np.isfinite(saturation):
+            largest = max(largest, min(2.2 * saturation, start + slope * depth[-1]), 1.05 * saturation)
+        panel.set_xlim(0.0, 1.03 * largest)
+        panel.set_xlabel(f"{label} ({_power(prediction.unit(name))})")
+    axes.set_ylim(depth[-1], 0.0)
+    axes.set_ylabel("depth (L)")
+    handles, labels = axes.get_legend_handles_labels()
+    height = captions.add(figure, prediction.model, leave_out=("points",))
+    inches = figure.get_size_inches()[1]
+    figure.legend(handles, labels, ncols=3, loc="upper center", bbox_to_anchor=(0.5, 1.0 - height / inches))
+    captions.fit_below(figure, height + 0.2)
+    return figure
+
+
+def draw_discrete(prediction):
+    """Force against layers, beside the continuum that has the same friction."""
+    figure = Figure(figsize=(4.6, 3.2))
+    axes = figure.subplots()
+    layer, force = prediction["layer"], prediction["force"]
+    settings = {parameter.name: parameter.value for parameter in prediction.model.parameters}
+    sense = 1.0 if settings["direction"] == "rest" else -1.0
+    fine = np.linspace(0.0, layer[-1], 400)
+    x = sense * 2.0 * float(settings["k_mu"])
+    continuum = 3.0 * (fine if x == 0.0 else -np.expm1(-x * fine) / x)
+    axes.plot(fine, 3.0 * fine, color=style.GREY, linewidth=0.9, dashes=(4, 2), label="no friction")
+    axes.plot(fine, continuum, color=style.ORANGE, linewidth=1.1, label="continuum, λ₁ = λ₂ = l / 2Kμ")
+    few = len(layer) <= 60
+    axes.plot(layer, force, color=style.BLUE, linestyle="none" if few else "-", marker="o" if few else "",
+              markersize=3.5, label=f"cells, λ₁/λ₂ = {prediction['ratio']:.5f}", zorder=3)
+    axes.set_xlim(0.0, 1.02 * layer[-1])
+    top = max(force.max(), continuum.max())
+    axes.set_ylim(0.0, min(1.05 * max(top, 3.0 * layer[-1]), 1.6 * top))
+    axes.xaxis.set_major_locator(MaxNLocator(integer=True))
+    axes.set_xlabel("cells above, N (of height l)")
+    axes.set_ylabel("force below (m g)")
+    axes.legend(loc="lower right" if sense > 0.0 and layer[-1] * x > 1.5 else "upper left", borderaxespad=0.8)
+    captions.fit_below(figure, captions.add(figure, prediction.model))
+    return figure
+
+
+def draw_fit(prediction):
+    """Measured masses with the fitted law, and what is left."""
+    figure = Figure(figsize=(4.6, 3.6))
+    upper, lower = figure.subplots(2, 1, sharex=True, gridspec_kw={"height_ratios": [2.4, 1]})
+    settings = {parameter.name: parameter.value for parameter in prediction.model.parameters}
+    sense = 1.0 if settings["direction"] == "rest" else -1.0
+    height, mass = prediction["height"], prediction["apparent_mass"]
+    error = prediction["apparent_mass_error"] if "apparent_mass_error" in prediction.columns else None
+    fine = np.linspace(0.0, 1.03 * height.max(), 400)
+    size = float(settings["mass_per_height"]) * prediction["lambda_1"]
+    law = -sense * size * np.expm1(-sense * fine / prediction["lambda_2"])
+    look = {"fmt": "o", "markersize": 3.5, "color": style.BLUE, "elinewidth": 0.8, "zorder": 3}
+    upper.errorbar(height, mass, yerr=error, label="data", **look)
+    upper.plot(fine, law, color=style.ORANGE, linewidth=1.2, label=_lengths(prediction))
+    upper.set_ylim(min(0.0, 1.05 * mass.min()), 1.08 * max(mass.max(), law.max()))
+    upper.set_ylabel("apparent mass (M)")
+    upper.legend(loc="lower right" if sense > 0.0 else "upper left", borderaxespad=0.8)
+    lower.axhline(0.0, color=style.ORANGE, linewidth=1.0)
+    lower.errorbar(height, prediction["residual"], yerr=error, **look)
+    lower.set_ylabel("residual (M)")
+    lower.set_xlabel("height (L)")
+    lower.set_xlim(0.0, fine[-1])
+    figure.align_ylabels()
+    captions.fit_below(figure, captions.add(figure, prediction.model))
+    return figure
+
+
+def _lengths(prediction):
+    def with_error(name):
+        error = prediction[f"{name}_error"]
+        if not np.isfinite(error) or error <= 0.0:
+            return f"{prediction[name]:.5g}"
+        digits = max(0, 1 - int(np.floor(np.log10(error))))
+        return f"{prediction[name]:.{min(digits, 12)}f} ± {error:.{min(digits, 12)}f}"
+
+    if next(p.value for p in prediction.model.parameters if p.name == "parameters") == "1":
+        return f"λ = {with_error('lambda_1')} L"
+    return f"λ₁ = {with_error('lambda_1')} L,  λ₂ = {with_error('lambda_2')} L"
+
+
+def _settings(prediction):
+    def number(text):
+        try:
+            return float(text)
+        except ValueError:
+            return text
+
+    return {parameter.name: number(parameter.value) for parameter in prediction.model.parameters}
+
+
+def _area(prediction):
+    settings = _settings(prediction)
+    return settings["width"] if settings["dimension"] == 2 else 0.25 * np.pi * settings["width"] ** 2
+
+
+def _power(unit):
+    return {"M/(L T^2)": "M L⁻¹ T⁻²", "M/L": "M L⁻¹"}.get(unit, unit)

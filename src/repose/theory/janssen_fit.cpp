@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/theory/janssen_fit.hpp"
+
+#include "repose/core/errors.hpp"
+#include "repose/theory/column_walls.hpp"
+#include "repose/theory/csv_file.hpp"
+#include "repose/theory/screening_fit.hpp"
+
+#include <boost/math/special_functions/gamma.hpp>
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace repose::theory {
+
+namespace {
+
+ApparentMasses read_masses(const JanssenFit& fit) {
+  const CsvFile file{fit.file};
+  ApparentMasses data{.height = file.numbers("height"), .mass = file.numbers("apparent_mass"), .error = {}};
+  if (file.has("apparent_mass_error")) data.error = file.numbers("apparent_mass_error");
+  std::vector<std::string> problems;
+  for (std::size_t row = 0; row < file.rows(); ++row) {
+    if (data.height[row] < 0.0) {
+      problems.push_back(
+          fmt::format("{}:{}: height = {}: must be >= 0 (L)", fit.file, file.line(row), data.height[row]));
+    }
+    if (!data.error.empty() && data.error[row] <= 0.0) {
+      problems.push_back(
+          fmt::format("{}:{}: apparent_mass_error = {}: must be > 0 (M)", fit.file, file.line(row), data.error[row]));
+    }
+  }
+  throw_if_any(std::move(problems));
+  if (static_cast<std::int64_t>(file.rows()) < fit.parameters) {
+    throw InputError(fmt::format("{}: has {} row{}, {} needed for as many parameters", fit.file, file.rows(),
+                                 file.rows() == 1 ? "" : "s", fit.parameters));
+  }
+  return data;
+}
+
+}  // namespace
+
+void parameters(JanssenFit& fit, ModelParameters& to) {
+  to.text("file", fit.file, "CSV file with columns height (L), apparent_mass (M), perhaps apparent_mass_error (M)");
+  to.integer("parameters", fit.parameters, {.low = 1, .high = 2}, "2: lambda_1 and lambda_2; 1: the two are one");
+  to.choice("direction", fit.direction, column_directions(),
+            "rest: the walls carry; pushed-up: they hold back with the same friction");
+  to.number("mass_per_height", fit.mass_per_height, positive, "M/L", "of grains, rho c area");
+}
+
+Table evaluate(const JanssenFit& fit) {
+  const auto data = read_masses(fit);
+  const auto result = fit_screening(
+      {.mass_per_height = fit.mass_per_height, .sense = wall_sense(fit.direction), .parameters = fit.parameters}, data);
+  const bool weighted = !data.error.empty();
+  std::vector<double> residuals;
+  for (std::size_t row = 0; row < data.mass.size(); ++row) residuals.push_back(data.mass[row] - result.fitted[row]);
+  const auto freedom = static_cast<double>(result.degrees_of_freedom);
+  const double chance = weighted && freedom > 0.0 ? boost::math::gamma_q(0.5 * freedom, 0.5 * result.chi_square)
+                                                  : std::numeric_limits<double>::quiet_NaN();
+  const std::string scaled =
+      weighted ? "standard error, from those of the data" : "standard error, from the scatter of the residuals";
+  Table table{{{"height", "L", "as in the file", data.height, {}},
+               {"apparent_mass", "M", "as in the file", data.mass, {}},
+               {"fitted", "M", "mass by the law", result.fitted, {}},
+               {"residual", "M", "apparent_mass less fitted", residuals, {}}},
+              {{"lambda_1", result.lambda_1, "L", "length that sets the size of the mass"},
+               {"lambda_1_error", result.lambda_1_error, "L", scaled},
+               {"lambda_2", result.lambda_2, "L", "length over which the mass changes"},
+               {"lambda_2_error", result.lambda_2_error, "L", scaled},
+               {"ratio", result.lambda_1 / result.lambda_2, "1", "lambda_1/lambda_2"},
+               {"correlation", result.correlation, "1", "of the errors of lambda_1 and lambda_2"},
+               {"chi_square", result.chi_square, weighted ? "1" : "M^2",
+                weighted ? "sum of squares of residuals over errors" : "sum of squares of residuals"},
+               {"degrees_of_freedom", freedom, "1", "rows less parameters"},
+               {"chance", chance, "1", "of so large a chi_square or larger if law and errors are right"},
+               {"rms_residual", result.rms_residual, "M", "root of the mean square of the residuals"}}};
+  if (weighted) {
+    table.columns.push_back({"apparent_mass_error", "M", "as in the file", data.error, {}});
+  }
+  return table;
+}
+
+}  // namespace repose::theory

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/theory/model_parameters.hpp"
+#include "repose/theory/table.hpp"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace repose::theory {
+
+/// What is known of packings of equal discs and spheres: lattices, random packings, counts of contacts.
+/// Source: Bratberg's thesis (2003), sections 2.1 and 2.2, and what is named in each row.
+/// Validated by tests/theory/packing_test.cpp, which builds the lattices.
+struct Packing {
+  std::string dimension = "all";  ///< all | 2 | 3
+
+  static constexpr ModelText text{.name = "packing",
+                                  .about = "Solid fractions and coordination numbers of packings of equal grains",
+                                  .source = "Bratberg 2003 (thesis), sections 2.1-2.2; sources of the rows"};
+};
+
+/// One packing; not-a-number where nothing is known.
+struct PackingFact {
+  std::string name;
+  int dimension = 0;
+  double solid_fraction = std::numeric_limits<double>::quiet_NaN();
+  double error = std::numeric_limits<double>::quiet_NaN();  ///< of solid_fraction; 0: exact
+  double coordination = std::numeric_limits<double>::quiet_NaN();
+  std::string source;
+};
+std::vector<PackingFact> packing_facts();
+
+/// Contacts per grain that make forces and balances equal in number: 2 d without friction; with it each contact has d
+/// forces, each grain also balances torques, and d + 1 is left.
+double isostatic_coordination(int dimension, bool friction);
+
+void parameters(Packing& packing, ModelParameters& to);
+
+/// Columns name, dimension, solid_fraction, error, coordination, source.
+Table evaluate(const Packing& packing);
+
+}  // namespace repose::theory
