@@ -15,7 +15,7 @@ def draw(prediction):
     few = of_grains and len(prediction["normal"]) <= 200
     for axes, name, colour in ((upper, "normal", style.BLUE), (lower, "shear", style.ORANGE)):
         axes.axhline(0.0, color=style.FAINT, linewidth=0.6, zorder=0)
-        line = {"marker": "o", "markersize": 2.5, "linewidth": 0.6} if few else {"linewidth": 1.4}
+        line = {"marker": "o", "markersize": 2.5, "linewidth": 0.6, "clip_on": False} if few else {"linewidth": 1.4}
         axes.plot(prediction["x_over_b"], prediction[name], color=colour, **line)
         axes.set_ylabel(f"{name}\n({prediction.unit(name)})")
     upper.set_ylim(bottom=0.0)

@@ -198,7 +198,7 @@ void parameters(Osl& model, ModelParameters& to) {
                      {.low = 0.0, .high = 1e6, .low_allowed = false}, "1", "with model = custom");
   to.choice("output", model.output, {"base", "field"}, "stresses on the base, or in the pile");
   to.integer("points", model.points, {.low = 2, .high = 10'000'000}, "places along the base, both feet included");
-  to.integer("grid", model.grid, {.low = 1, .high = 2'000}, "depths of the field; it has grid (grid + 2) places");
+  to.integer("grid", model.grid, {.low = 2, .high = 2'000}, "depths of the field; it has grid (grid + 2) places");
 }
 
 std::vector<std::string> relations(const Osl& model) {
