@@ -84,7 +84,7 @@ TEST(IncipientFailure, EqualsTheEquationsAsTheyStand) {
 
 // Equilibrium of the whole pile, which no step of the solution uses.
 TEST(IncipientFailure, BaseCarriesTheWeight) {
-  for (const double degrees : {0.2, 1.0, 2.0, 7.7, 15.0, 22.2, 30.0, 38.0, 45.0, 52.0, 66.0, 80.0, 88.0}) {
+  for (const double degrees : {0.1, 0.2, 1.0, 2.0, 7.7, 15.0, 22.2, 30.0, 38.0, 45.0, 52.0, 66.0, 80.0, 88.0}) {
     const IncipientFailure wedge{radians(degrees)};
     const auto normal = [&](double s) { return wedge.stress_on(ray_at(s)).normal; };
     double weight = 0.0;

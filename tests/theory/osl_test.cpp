@@ -203,20 +203,21 @@ TEST(Osl, LatticeClosureIsTheContinuumPileWhateverTheFrictionAngle) {
 }
 
 TEST(Osl, FixedPrincipalAxisHasItsClosedForms) {
-  for (const double angle : {0.5, 10.0, 30.0, 47.3, 85.0}) {
+  for (const double angle : {0.001, 0.5, 10.0, 30.0, 47.3, 85.0}) {
     const double s = std::sin(radians(angle));
     const auto table = evaluate(Osl{.angle_deg = angle, .points = 1001});
     EXPECT_NEAR(table.number("centre_normal"), 1.0 - s, 1e-14) << angle;
     EXPECT_NEAR(table.number("peak_normal"), (1.0 + s * s) / (1.0 + s), 1e-14) << angle;
     EXPECT_NEAR(table.number("s_inner"), s / (1.0 + s), 1e-14) << angle;
     EXPECT_EQ(table.number("dip"), 1.0);
+    EXPECT_EQ(table.number("violated_share"), 0.0);
     EXPECT_NEAR(table.number("dip_depth"), 2.0 * s * s / (1.0 + s * s), 1e-14) << angle;
     const auto& normal = table.column("normal").values;
     const auto& shear = table.column("shear").values;
     const auto& horizontal = table.column("horizontal").values;
     for (std::size_t i = 1; i < 500; ++i) {
       const double axis = 0.5 * std::atan2(-2.0 * shear[i], normal[i] - horizontal[i]);
-      EXPECT_NEAR(axis, 0.25 * (pi - 2.0 * radians(angle)), 1e-10) << angle << ' ' << i;
+      EXPECT_NEAR(axis, 0.25 * (pi - 2.0 * radians(angle)), 1e-13 / s) << angle << ' ' << i;
     }
     EXPECT_NEAR(normal[500], horizontal[500], 1e-15) << angle;
   }
@@ -315,6 +316,8 @@ TEST(Osl, RefusesWhatHasNoSolution) {
   EXPECT_EQ(complaint({{"model", "ife"}, {"slope_deg", "29"}}),
             "osl: slope_deg = 29: must be angle_deg = 30 with model = ife, whose surface is at failure too");
   EXPECT_EQ(complaint({{"model", "ife"}, {"slope_deg", "30"}}), "none");
+  EXPECT_EQ(complaint({{"model", "ife"}, {"angle_deg", "0.09"}}),
+            "osl: angle_deg = 0.09: must be >= 0.1 with model = ife, whose layer at the axis is as thin");
   EXPECT_EQ(complaint({{"model", "custom"}, {"angle_deg", "45"}, {"mu", "2"}}),
             "osl: mu = 2: must be < 1/tan(angle_deg) = 1 without eta: yield of a surface at the friction angle gives "
             "eta = -0.333333, which must be > 0");
