@@ -4,7 +4,7 @@
 
 >>> from repose import theory
 >>> pile = theory.predict("pile-continuum", slope_deg=30)
->>> pile["x_over_b"].shape, float(pile["normal"].max())
+>>> pile["x_over_b"].shape, round(float(pile["normal"].max()), 12)
 ((201,), 0.25)
 
 `python3 -m repose.theory MODEL --plot FILE` draws a model.
