@@ -2,16 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of the models of theory: each is a function of a Prediction that returns a figure."""
 
-from repose.theory_pictures import base, columns, mohr, packing, quasi_elastic
+from repose.theory_pictures import base, osl
 
 PICTURES = {
     "pile-continuum": base.draw,
-    "janssen": columns.draw_janssen,
-    "janssen-discrete": columns.draw_discrete,
-    "janssen-fit": columns.draw_fit,
-    "mohr": mohr.draw,
-    "quasi-elastic": quasi_elastic.draw,
-    "packing": packing.draw,
+    "pile-lattice": base.draw,
+    "pile-tent": base.draw,
+    "osl": osl.draw,
 }
 
 

@@ -6,8 +6,13 @@
 #include "repose/theory/janssen_discrete.hpp"
 #include "repose/theory/janssen_fit.hpp"
 #include "repose/theory/mohr.hpp"
+#include "repose/theory/osl.hpp"
 #include "repose/theory/packing.hpp"
 #include "repose/theory/pile_continuum.hpp"
+#include "repose/theory/pile_lattice.hpp"
+#include "repose/theory/pile_tent.hpp"
+#include "repose/theory/point_load.hpp"
+#include "repose/theory/q_model.hpp"
 #include "repose/theory/quasi_elastic.hpp"
 
 #include <variant>
@@ -15,6 +20,7 @@
 namespace repose::theory {
 
 /// Every model: a new one is its header and one entry here.
-using Model = std::variant<PileContinuum, Janssen, JanssenDiscrete, JanssenFit, Mohr, QuasiElastic, Packing>;
+using Model = std::variant<PileLattice, PileContinuum, PileTent, Osl, Janssen, JanssenDiscrete, JanssenFit, Mohr,
+                           QuasiElastic, QModel, Packing, PointLoad>;
 
 }  // namespace repose::theory
