@@ -3,12 +3,14 @@
 #pragma once
 
 #include "repose/theory/pile_continuum.hpp"
+#include "repose/theory/point_load.hpp"
+#include "repose/theory/q_model.hpp"
 
 #include <variant>
 
 namespace repose::theory {
 
 /// Every model: a new one is its header and one entry here.
-using Model = std::variant<PileContinuum>;
+using Model = std::variant<PileContinuum, QModel, PointLoad>;
 
 }  // namespace repose::theory
