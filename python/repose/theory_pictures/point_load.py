@@ -11,6 +11,14 @@ from repose import style
 CURVES = (("elastic", style.BLUE, "elastic"), ("osl", style.ORANGE, "OSL"), ("diffusive", style.GREEN, "diffusive"))
 
 
+def _settings(model):
+    """Name and parameters in lines that fit."""
+    short = ((p.name, p.value) for p in model.parameters)
+    short = (f"{name} = {float(value):.4g}" if "." in value else f"{name} = {value}" for name, value in short)
+    lines = textwrap.wrap(", ".join(text.replace(" ", "\N{NO-BREAK SPACE}") for text in short), 84)
+    return "\n".join([f"{model.name}:", *lines])
+
+
 def draw(prediction):
     """Figure of the point-load model."""
     figure = Figure(figsize=(4.6, 3.3))
@@ -21,7 +29,7 @@ def draw(prediction):
     x = prediction["x_over_h"]
     axes.set(xlabel="x / h", ylabel="vertical stress at depth h (F / h)", xlim=(x[0], x[-1]))
     axes.set_ylim(bottom=0.0)
-    axes.legend(loc="upper right")
-    figure.tight_layout(pad=0.4, rect=(0.0, 0.0, 1.0, 0.87))
-    style.caption(figure, textwrap.fill(style.settings(prediction.model), 92))
+    axes.legend(loc="upper right", borderaxespad=0.3)
+    figure.tight_layout(pad=0.4, rect=(0.0, 0.0, 1.0, 0.86))
+    style.caption(figure, _settings(prediction.model))
     return figure

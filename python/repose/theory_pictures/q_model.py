@@ -9,15 +9,23 @@ from matplotlib.figure import Figure
 from repose import style
 
 
+def _settings(model):
+    """Name and parameters in lines that fit."""
+    short = ((p.name, p.value) for p in model.parameters)
+    short = (f"{name} = {float(value):.4g}" if "." in value else f"{name} = {value}" for name, value in short)
+    lines = textwrap.wrap(", ".join(text.replace(" ", "\N{NO-BREAK SPACE}") for text in short), 84)
+    return "\n".join([f"{model.name}:", *lines])
+
+
 def draw(prediction):
     """Figure of either output of the q-model."""
     figure = Figure(figsize=(4.6, 3.3))
     axes = figure.subplots()
     by_layer = "layer" in prediction.columns
     (_variance if by_layer else _distribution)(axes, prediction)
-    axes.legend(loc="lower right" if by_layer else "upper right")
-    figure.tight_layout(pad=0.4, rect=(0.0, 0.0, 1.0, 0.87))
-    style.caption(figure, textwrap.fill(style.settings(prediction.model), 92))
+    axes.legend(loc="lower right" if by_layer else "upper right", borderaxespad=0.6)
+    figure.tight_layout(pad=0.4, rect=(0.0, 0.0, 1.0, 0.86))
+    style.caption(figure, _settings(prediction.model))
     return figure
 
 
