@@ -36,9 +36,7 @@ bool one_downward(const Scene& scene) {
 double width_of(const Scene& scene) { return scene.box.x == "periodic" ? 2.0 * scene.box.half_width : 0.0; }
 
 /// x - from, by the nearest image.
-double along(double x, double from, double width) {
-  return width > 0.0 ? std::remainder(x - from, width) : x - from;
-}
+double along(double x, double from, double width) { return width > 0.0 ? std::remainder(x - from, width) : x - from; }
 
 /// Place of the grain that bears the load, in a bed without it.
 Vec<2> loaded_place(const Record& record, const Scene::Load& load) {
@@ -158,7 +156,8 @@ void compare_with_theory(PointResponse& response, const Scene& scene, double pit
   response.fitted_poisson = none;
   if (std::isnan(response.curves.front().chi_square)) return;
   const double poisson = boost::math::tools::brent_find_minima(
-      [&](double value) { return chi_square(response, elastic(value)); }, 0.0, 0.5, 16).first;
+                             [&](double value) { return chi_square(response, elastic(value)); }, 0.0, 0.5, 16)
+                             .first;
   response.fitted_poisson = poisson;
   add("elastic_fitted", elastic(poisson));
 }

@@ -19,10 +19,10 @@ struct ResponseCurve {
   double chi_square = 0.0;     ///< NaN where errors are not known
 };
 
-/// Response of a bed to one downward force F on a grain a height h above the centres of its base: the normal force on the
-/// base with the load less that without it, of members with the same seed. Points of a sweep whose scenes differ in the
-/// place of the load alone belong to one response: a seed counts once, with the mean over its places, because errors are
-/// between seeds. Validated by tests/cli/test_theory_network.py.
+/// Response of a bed to one downward force F on a grain a height h above the centres of its base: the normal force on
+/// the base with the load less that without it, of members with the same seed. Points of a sweep whose scenes differ in
+/// the place of the load alone belong to one response: a seed counts once, with the mean over its places, because
+/// errors are between seeds. Validated by tests/cli/test_theory_network.py.
 struct PointResponse {
   std::string name;            ///< of the first point with the load
   std::string without;         ///< point without a load
@@ -34,10 +34,11 @@ struct PointResponse {
   std::vector<Estimate> bins;  ///< [F/h] response, over seeds
   Estimate total;              ///< [F] force that reaches the base
   Estimate second_moment;      ///< [h^2] of the response within 2 h
-  double nonlinearity = 0.0;   ///< relative rms difference from an earlier response of other force, same seeds and places
-  double poisson = 0.0;        ///< of the elastic curve: (1 - k_t/k_n)/4, of a random network of such springs
+  double nonlinearity =
+      0.0;               ///< relative rms difference from an earlier response of other force, same seeds and places
+  double poisson = 0.0;  ///< of the elastic curve: (1 - k_t/k_n)/4, of a random network of such springs
   double fitted_poisson = 0.0;  ///< of the elastic curve of least chi-square; NaN where errors are not known
-  double eta = 0.0;            ///< of OSL: tan^2 of the angle at which a grain sits in the hollow of the base row
+  double eta = 0.0;             ///< of OSL: tan^2 of the angle at which a grain sits in the hollow of the base row
   std::vector<ResponseCurve> curves;
 };
 

@@ -33,7 +33,7 @@ std::vector<double> periodic_variance(const QModel& model) {
     if (layer == model.layers) return variance;
     std::ranges::fill(next, 0.0);
     const double square = covariance[0] + m * m;
-    for (std::int64_t apart = 1 - n; apart < n; ++apart) {  // k - l, met by n - |apart| pairs
+    for (std::int64_t apart = 1 - n; apart < n; ++apart) {  // k - l, met by n - |apart| pairs; the same for -apart
       const auto pairs = static_cast<double>(n - std::abs(apart));
       const auto shift = static_cast<std::size_t>(apart < 0 ? apart + model.width : apart);
       const double factor = pairs * mean_square;
@@ -43,7 +43,7 @@ std::vector<double> periodic_variance(const QModel& model) {
       std::transform(next.begin() + wrap, next.end(), covariance.begin(), next.begin() + wrap,
                      [&](double sum, double c) { return sum + factor * c; });
       const double excess = (apart == 0 ? moments.same : moments.different) - mean_square;
-      next[shift == 0 ? 0 : width - shift] += pairs * excess * square;
+      next[shift] += pairs * excess * square;
     }
     covariance.swap(next);
   }
