@@ -217,12 +217,30 @@ TEST(QModel, RecursionEqualsRuns) {
   }
 }
 
-// Two neighbours, uniform: the variance tends to 1/2 from below, by 1.1/sqrt(D) (Gamma(2) is the limit law).
+// Two neighbours, uniform: the variance tends to 1/2 (Gamma(2) is the limit law), but from below and slowly. C(s) less
+// a third of C(0) + m^2 at s = 0 diffuses with a sink there of a third of the growth of C(0) + m^2, that is of D: its
+// value at 0 is -4/(3 sqrt pi) D^(3/2), so that the variance is 1/2 - 2/sqrt(pi D), up to terms of 1/D.
 TEST(QModel, VarianceTendsToOneHalfSlowly) {
   const QModel model{.width = 1200, .layers = 20000, .output = "variance"};
   const auto variance = exact_variance(model);
-  for (const std::size_t layer : {2000U, 8000U, 20000U}) {
-    EXPECT_NEAR((0.5 - variance[layer]) * std::sqrt(static_cast<double>(layer)), 1.1, 0.06) << layer;
+  for (const std::size_t layer : {500U, 2000U, 8000U, 20000U}) {
+    const auto depth = static_cast<double>(layer);
+    EXPECT_NEAR((0.5 - variance[layer]) * std::sqrt(std::numbers::pi * depth) / 2.0, 1.0, 1.5 / std::sqrt(depth))
+        << layer;
+    EXPECT_GT(std::abs((0.5 - variance[layer]) * std::sqrt(depth) - 1.0), 0.03)
+        << "the test can tell 1 from 2/sqrt(pi)";
+  }
+}
+
+// In a narrow layer the sum of the weights is given: Gamma(N r) weights under that condition are Dirichlet.
+TEST(QModel, NarrowLayersTendToADirichletLaw) {
+  for (const auto& [width, neighbours, shape] :
+       {std::tuple<std::int64_t, std::int64_t, double>{5, 2, 1.0}, {4, 3, 0.5}}) {
+    const QModel model{
+        .width = width, .layers = 100000, .neighbours = neighbours, .distribution = "dirichlet", .shape = shape};
+    const auto w = static_cast<double>(width);
+    const double limit = (w - 1.0) / (static_cast<double>(neighbours) * shape * w + 1.0);
+    EXPECT_NEAR(exact_variance(model).back(), limit, 1e-4 * limit) << width;  // off by a term of 1/D
   }
 }
 

@@ -91,14 +91,10 @@ std::vector<double> walled_variance(const QModel& model) {
   Row next_mean(width);
   std::vector<double> variance;
   for (std::int64_t layer = 0;; ++layer) {
+    const double m = mean_weight(model, layer);
     double sum = 0.0;
-    double sum_of_squares = 0.0;
-    for (std::size_t i = 0; i < width; ++i) {
-      sum += mean[i];
-      sum_of_squares += squares[i * width + i] + mean[i] * mean[i];
-    }
-    const auto sites = static_cast<double>(width);
-    variance.push_back(sum > 0.0 ? sum_of_squares * sites / (sum * sum) - 1.0 : 0.0);
+    for (std::size_t i = 0; i < width; ++i) sum += squares[i * width + i] + (mean[i] - m) * (mean[i] - m);
+    variance.push_back(m > 0.0 ? sum / (static_cast<double>(width) * m * m) : 0.0);
     if (layer == model.layers) return variance;
     Row diagonal(width);
     for (std::size_t i = 0; i < width; ++i) diagonal[i] = squares[i * width + i] + mean[i] * mean[i];
@@ -118,7 +114,7 @@ std::vector<double> walled_variance(const QModel& model) {
       }
     }
     pass_on(model, layer, mean, 1, next_mean);
-    for (auto& m : next_mean) m += injection;
+    for (auto& one : next_mean) one += injection;
     mean.swap(next_mean);
   }
 }
