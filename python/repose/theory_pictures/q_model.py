@@ -13,8 +13,8 @@ def _settings(model):
     """Name and parameters in lines that fit."""
     short = ((p.name, p.value) for p in model.parameters)
     short = (f"{name} = {float(value):.4g}" if "." in value else f"{name} = {value}" for name, value in short)
-    lines = textwrap.wrap(", ".join(text.replace(" ", "\N{NO-BREAK SPACE}") for text in short), 84)
-    return "\n".join([f"{model.name}:", *lines])
+    text = ", ".join(setting.replace(" ", "\N{NO-BREAK SPACE}") for setting in short)
+    return "\n".join(textwrap.wrap(f"{model.name}: {text}", 84))
 
 
 def draw(prediction):
