@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Sweep folders are read as written, and drawn over what varies."""
 
+import json
+
 import h5py
 import matplotlib
 import numpy as np
@@ -251,6 +253,7 @@ def test_packings_leave_out_shares_that_nobody_has(tmp_path):
     assert [axes.get_ylabel().split()[1] for axes in shares.axes] == ["$P_1$", "$P_2$", "$P_3$"]
 
 
+NO_RESPONSE = "not drawn: no points of the sweep differ in one downward load alone"
 NO_PACKINGS = "not drawn: no packings measured over a parameter that is a number"
 
 
@@ -260,9 +263,9 @@ def test_command_line_draws_a_sweep(tmp_path, capsys, kind):
     folder = write_sweep(tmp_path / "sweep", **kind)
     assert main([str(folder), "--format", "png,svg", "--dpi", "50"]) == 0
     printed = capsys.readouterr()
-    drawn = [name for name in SWEEP_PICTURES if name != "packing"]
+    drawn = [name for name in SWEEP_PICTURES if name not in ("packing", "response")]
     expected = [str(folder / "pictures" / f"{name}.{end}") for name in drawn for end in ("png", "svg")]
-    expected.append(f"packing: {NO_PACKINGS}")
+    expected += [f"packing: {NO_PACKINGS}", f"response: {NO_RESPONSE}"]
     assert printed.out.splitlines() == expected
     assert printed.err == ""
 
@@ -277,7 +280,38 @@ def test_sweep_without_anything_finished(tmp_path, capsys):
         "dip: not drawn: no member has a loaded base",
         "measures: not drawn: no member has any of its measures",
         f"packing: {NO_PACKINGS}",
+        f"response: {NO_RESPONSE}",
     ]
+
+
+RESPONSE = """point,x_over_h,response,response_error,elastic,osl,diffusive,elastic_fitted
+one,-0.5,0.25,0.03,0.3,1,0.1,0.28
+one,0,0.75,0.05,0.8,0,3,0.79
+one,0.5,0.375,0.02,0.3,1,0.1,0.28
+two,-0.5,0.25,,0.3,1,0.1,
+two,0,0.5,,0.8,0,3,
+"""
+
+
+@pytest.mark.filterwarnings("error")
+def test_responses_stand_beside_theory(tmp_path):
+    folder = write_sweep(tmp_path / "sweep", **ONE)
+    (folder / "response.csv").write_text(RESPONSE)
+    curves = {name: {"chi_square": 6.0, "bins": 3} for name in ("elastic", "osl", "diffusive", "elastic_fitted")}
+    common = {"places": 1, "force": 1.0, "depth": {"mean": 17.0}}
+    unknown = {name: {"chi_square": None, "bins": 1} for name in ("elastic", "osl", "diffusive")}
+    facts = [
+        {**common, "point": "one", "seeds": 3, "curves": curves, "fitted_poisson": 0.25},
+        {**common, "point": "two", "seeds": 1, "curves": unknown, "fitted_poisson": None},
+    ]
+    (folder / "response.json").write_text(json.dumps(facts))
+    axes = draw(repose.open(folder), "response")[0].axes
+    assert [panel.get_title() for panel in axes] == ["one", "two"]
+    points, bare = (panel.containers[0][0] for panel in axes)
+    np.testing.assert_array_equal(points.get_xydata(), [[-0.5, 0.25], [0.0, 0.75], [0.5, 0.375]])
+    np.testing.assert_array_equal(bare.get_xydata(), [[-0.5, 0.25], [0.0, 0.5]])
+    texts = ["\n".join(text.get_text() for text in panel.texts) for panel in axes]
+    assert "fitted ν = 0.25" in texts[0] and "elastic 2\n" in texts[0] and "χ²" not in texts[1]
 
 
 def test_measure_that_is_absent(tmp_path):

@@ -2,13 +2,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of the models of theory: each is a function of a Prediction that returns a figure."""
 
-from repose.theory_pictures import base, osl
+from repose.theory_pictures import base, columns, mohr, osl, packing, point_load, q_model, quasi_elastic
 
 PICTURES = {
-    "pile-continuum": base.draw,
     "pile-lattice": base.draw,
+    "pile-continuum": base.draw,
     "pile-tent": base.draw,
     "osl": osl.draw,
+    "janssen": columns.draw_janssen,
+    "janssen-discrete": columns.draw_discrete,
+    "janssen-fit": columns.draw_fit,
+    "mohr": mohr.draw,
+    "quasi-elastic": quasi_elastic.draw,
+    "q-model": q_model.draw,
+    "packing": packing.draw,
+    "point-load": point_load.draw,
 }
 
 

@@ -17,7 +17,8 @@ enum class Purpose : std::uint32_t {
   base_species = 5,
   base_height = 6,
   lattice_place = 7,
-  parking = 8
+  parking = 8,
+  force_fraction = 9
 };
 
 /// Uniform in [0, 1), a pure function of (seed, purpose, index, draw): Philox4x32-10, 53 bits.

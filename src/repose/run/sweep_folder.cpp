@@ -6,6 +6,7 @@
 #include "repose/io/hdf5_file.hpp"
 #include "repose/io/hdf5_reader.hpp"
 #include "repose/run/folders.hpp"
+#include "repose/run/point_response.hpp"
 #include "repose/run/record_file.hpp"
 #include "repose/run/run_folder.hpp"
 #include "repose/run/summary.hpp"
@@ -26,7 +27,8 @@ namespace repose {
 
 namespace {
 
-constexpr const char* own_files[] = {"sweep.toml", "table.csv", "members.csv", "claims.csv", "sweep.h5"};
+constexpr const char* own_files[] = {"sweep.toml", "table.csv",    "members.csv",  "claims.csv",
+                                     "sweep.h5",   "response.csv", "response.json"};
 constexpr const char* own_folders[] = {"scenes", "members", "pictures"};
 
 std::string content_of(const fs::path& path) {
@@ -163,6 +165,11 @@ void SweepFolder::write(const SweepTable& table) const {
   write_text_file(path_ + "/members.csv", members_csv(plan_, table));
   if (!plan_.claims.empty()) write_text_file(path_ + "/claims.csv", claims_csv(plan_, table));
   write_sweep_file(path_ + "/sweep.h5", plan_, table);
+  const auto responses =
+      point_responses(plan_, table, [&](std::size_t member) { return read_last_state(member_path(members_[member])); });
+  if (responses.empty()) return;
+  write_text_file(path_ + "/response.csv", response_csv(responses));
+  write_text_file(path_ + "/response.json", response_json(responses));
 }
 
 std::size_t SweepFolder::analyse() const {
