@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The pictures of a sweep: each is a function of a SweepFolder that returns figures or raises NotDrawn."""
 
-from repose.pictures.sweep import angle, dip, measures, packing, profiles
+from repose.pictures.sweep import angle, dip, measures, packing, profiles, theory
 
 SWEEP_PICTURES = {
     "profiles": profiles.draw,
@@ -10,4 +10,5 @@ SWEEP_PICTURES = {
     "dip": dip.draw,
     "measures": measures.draw,
     "packing": packing.draw,
+    "theory": theory.draw,
 }
