@@ -7,15 +7,26 @@
 
 namespace repose::theory {
 
+namespace {
+
+double sine(double degrees) { return std::sin(degrees * (std::numbers::pi / 180.0)); }
+
+/// x_c/B of (49): the lattice line from the apex against the flank meets the base there. 60 - slope is exact in
+/// degrees.
+double plateau_begins(double slope_deg) {
+  return sine(60.0 - slope_deg) / (2.0 * sine(60.0) * std::cos(slope_deg * (std::numbers::pi / 180.0)));
+}
+
+}  // namespace
+
 BaseForce base_force(const PileContinuum& model, double x_over_b) {
-  constexpr double third = std::numbers::pi / 3.0;
-  const double slope = model.slope_deg * (std::numbers::pi / 180.0);
+  const double slope = sine(model.slope_deg);
   const double x = x_over_b <= 0.5 ? x_over_b : 1.0 - x_over_b;  // from the nearer foot
-  const double with_slope = x * std::sin(slope) / std::sin(2.0 * third - slope);
-  const double x_centre = 0.5 * (1.0 - std::tan(slope) / std::numbers::sqrt3);  // (49)
-  // Length of the diagonal that leans against the near flank; inside x_centre it ends on the far one.
-  const double against = x <= x_centre ? x * std::sin(slope) / std::sin(third - slope)
-                                       : (1.0 - x) * std::sin(slope) / std::sin(2.0 * third - slope);
+  const double to_near_flank = slope / sine(120.0 - model.slope_deg);
+  const double with_slope = x * to_near_flank;
+  // Length of the diagonal that leans against the near flank; inside x_c it ends on the far one.
+  const double against =
+      x <= plateau_begins(model.slope_deg) ? x * slope / sine(60.0 - model.slope_deg) : (1.0 - x) * to_near_flank;
   const double outward = (with_slope - against) / (2.0 * std::numbers::sqrt3);
   return {0.5 * (with_slope + against), x_over_b <= 0.5 ? outward : 0.0 - outward};
 }
@@ -27,7 +38,13 @@ void parameters(PileContinuum& model, ModelParameters& to) {
 }
 
 Table evaluate(const PileContinuum& model) {
-  return base_table(model.points, "chi g B", [&](double x_over_b) { return base_force(model, x_over_b); });
+  auto table = base_table(model.points, "chi g B", [&](double x_over_b) { return base_force(model, x_over_b); });
+  const double tan_slope = std::tan(model.slope_deg * (std::numbers::pi / 180.0));
+  table.numbers = {{"weight", tan_slope / (2.0 * std::numbers::sqrt3), "chi g B^2", "integral of normal over the base"},
+                   {"x_c", plateau_begins(model.slope_deg), "B", "distance of the plateau from the foot"},
+                   {"plateau_half_width", tan_slope / (2.0 * std::numbers::sqrt3), "B", "of the plateau, 1/2 - x_c"},
+                   {"plateau_normal", base_force(model, 0.5).normal, "chi g B", "normal on the plateau, the largest"}};
+  return table;
 }
 
 }  // namespace repose::theory

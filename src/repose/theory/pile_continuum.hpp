@@ -26,7 +26,7 @@ BaseForce base_force(const PileContinuum& model, double x_over_b);
 
 void parameters(PileContinuum& model, ModelParameters& to);
 
-/// Columns x_over_b, normal, shear (chi g B).
+/// Columns x_over_b, normal, shear (chi g B); numbers weight, x_c, plateau_half_width and plateau_normal.
 Table evaluate(const PileContinuum& model);
 
 }  // namespace repose::theory

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/theory/pile_tent.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace repose::theory {
+
+namespace {
+
+constexpr double dip_of_rounding = 1e-12;
+
+double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
+double sine(double degrees) { return std::sin(radians(degrees)); }
+
+/// A lattice line that goes up to the left through each corner of the surface (left foot, left break, apex, right
+/// break, right foot) meets the base at `place`, and is `length` long. In between lengths are linear.
+struct Corners {
+  std::array<double, 5> place{};
+  std::array<double, 5> length{};
+};
+
+/// Along a straight piece of surface of width w and slope a, the place moves by w sin(60 +- a)/(cos a sin 60), plus
+/// where the surface rises; 60 - a is taken in degrees, where it is exact.
+double move(double width, double slope_deg, double rising) {
+  return width * sine(60.0 + rising * slope_deg) / (sine(60.0) * std::cos(radians(slope_deg)));
+}
+
+Corners corners_of(const PileTent& model) {
+  const double lower = model.break_at;
+  const double upper = 0.5 - model.break_at;
+  const double height_at_break = lower * std::tan(radians(model.lower_slope_deg));
+  const double height = height_at_break + upper * std::tan(radians(model.upper_slope_deg));
+  constexpr double per_height = 2.0 / std::numbers::sqrt3;
+  Corners corners;
+  corners.length = {0.0, per_height * height_at_break, per_height * height, per_height * height_at_break, 0.0};
+  corners.place[1] = move(lower, model.lower_slope_deg, 1.0);
+  corners.place[2] = corners.place[1] + move(upper, model.upper_slope_deg, 1.0);
+  corners.place[3] = 1.0 - move(lower, model.lower_slope_deg, -1.0);
+  corners.place[4] = 1.0;
+  return corners;
+}
+
+/// Length of the line up to the left from x; `to_right_foot` is 1 - x.
+double length_up_left(const Corners& corners, double x, double to_right_foot) {
+  const auto& place = corners.place;
+  const auto& length = corners.length;
+  std::size_t i = 1;
+  while (i < 4 && x > place[i]) ++i;
+  if (i == 4) return length[3] * to_right_foot / (1.0 - place[3]);
+  const double from = x - place[i - 1];
+  const double to = place[i] - x;
+  return (length[i - 1] * to + length[i] * from) / (from + to);
+}
+
+BaseForce force_at(const Corners& corners, double x) {
+  const double up_left = length_up_left(corners, x, 1.0 - x);
+  const double up_right = length_up_left(corners, 1.0 - x, x);  // the mirror image
+  return {0.5 * (up_left + up_right), (up_left - up_right) / (2.0 * std::numbers::sqrt3)};
+}
+
+}  // namespace
+
+BaseForce base_force(const PileTent& model, double x_over_b) { return force_at(corners_of(model), x_over_b); }
+
+void parameters(PileTent& model, ModelParameters& to) {
+  const Bounds slopes{.low = 0.0, .high = 60.0, .low_allowed = false, .high_allowed = false};
+  to.number("lower_slope_deg", model.lower_slope_deg, slopes, "deg", "slope from the foot to the break");
+  to.number("upper_slope_deg", model.upper_slope_deg, slopes, "deg", "slope from the break to the apex");
+  to.number("break_at", model.break_at, {.low = 0.0, .high = 0.5, .low_allowed = false}, "B",
+            "place of the break, from the nearer foot");
+  to.integer("points", model.points, {.low = 2, .high = 10'000'000}, "places along the base, both feet included");
+}
+
+Table evaluate(const PileTent& model) {
+  const auto corners = corners_of(model);
+  auto table = base_table(model.points, "chi g B", [&](double x) { return force_at(corners, x); });
+  // The profile is linear between the corners and their mirror images.
+  const double centre = force_at(corners, 0.5).normal;
+  double peak = centre;
+  for (const double place : corners.place) peak = std::max(peak, force_at(corners, place).normal);
+  const double depth = 1.0 - centre / peak;
+  const bool dip = depth > dip_of_rounding;
+  // Each lattice direction carries half of the weight, and its lines are a share sqrt(3)/2 of their spacing on the
+  // base apart: the integral of the lengths is the area over that.
+  const double break_height = model.break_at * std::tan(radians(model.lower_slope_deg));
+  const double rise = (0.5 - model.break_at) * std::tan(radians(model.upper_slope_deg));
+  const double area = break_height * (1.0 - model.break_at) + rise * (0.5 - model.break_at);
+  table.numbers = {{"weight", 2.0 / std::numbers::sqrt3 * area, "chi g B^2", "integral of normal over the base"},
+                   {"centre_normal", centre, "chi g B", "normal at the centre"},
+                   {"peak_normal", peak, "chi g B", "largest normal"},
+                   {"dip", dip ? 1.0 : 0.0, "1", "1 where the normal force has a minimum at the centre, else 0"},
+                   {"dip_depth", dip ? depth : 0.0, "1", "1 - centre_normal / peak_normal"}};
+  return table;
+}
+
+}  // namespace repose::theory
