@@ -91,7 +91,7 @@ def _written(value):
     return str(int(value)) if isinstance(value, (int, np.integer)) else repr(float(value))
 
 
-def predict(model, **settings):
+def predict(model, /, **settings):
     """Prediction of a model; InputError (a ValueError) says all that is wrong with the settings."""
     written = [(name, _written(value)) for name, value in settings.items()]
     description, (columns, numbers) = repose_compiled.theory_prediction(model, written)

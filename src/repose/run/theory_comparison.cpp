@@ -176,7 +176,7 @@ TheoryComparison compare(const TheoryChoice& choice, const MeasuredBase& base) {
   result.model = model_for(choice, base, result.from_run);
   const auto table = theory::predict(result.model);
   if (!has_base_force(table)) {
-    throw InputError(fmt::format("{}: has no force on the base of a heap; these models have: {}", choice.model,
+    throw InputError(fmt::format("{}: has no force on the base of a heap (x_over_b, normal, shear); models that have: {}", choice.model,
                                  fmt::join(models_of_base_force(base), " | ")));
   }
   check(choice.model, table);
