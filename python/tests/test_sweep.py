@@ -251,6 +251,7 @@ def test_packings_leave_out_shares_that_nobody_has(tmp_path):
     assert [axes.get_ylabel().split()[1] for axes in shares.axes] == ["$P_1$", "$P_2$", "$P_3$"]
 
 
+NO_THEORY = "not drawn: no theory was laid on it (repose plot DIR --theory MODEL)"
 NO_PACKINGS = "not drawn: no packings measured over a parameter that is a number"
 
 
@@ -260,9 +261,9 @@ def test_command_line_draws_a_sweep(tmp_path, capsys, kind):
     folder = write_sweep(tmp_path / "sweep", **kind)
     assert main([str(folder), "--format", "png,svg", "--dpi", "50"]) == 0
     printed = capsys.readouterr()
-    drawn = [name for name in SWEEP_PICTURES if name != "packing"]
+    drawn = [name for name in SWEEP_PICTURES if name not in ("packing", "theory")]
     expected = [str(folder / "pictures" / f"{name}.{end}") for name in drawn for end in ("png", "svg")]
-    expected.append(f"packing: {NO_PACKINGS}")
+    expected += [f"packing: {NO_PACKINGS}", f"theory: {NO_THEORY}"]
     assert printed.out.splitlines() == expected
     assert printed.err == ""
 
@@ -277,6 +278,7 @@ def test_sweep_without_anything_finished(tmp_path, capsys):
         "dip: not drawn: no member has a loaded base",
         "measures: not drawn: no member has any of its measures",
         f"packing: {NO_PACKINGS}",
+        f"theory: {NO_THEORY}",
     ]
 
 

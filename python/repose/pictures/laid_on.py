@@ -11,10 +11,11 @@ from repose import style
 from repose.not_drawn import NotDrawn
 
 NONE = "no theory was laid on it (repose plot DIR --theory MODEL)"
-COLUMN = 4.4  # inch
+DATA = ("base disc", "mean ± standard error")  # in the legend, before the models
+COLUMN = 4.0  # inch
 ROW = 0.15  # inch of a line of a legend
 TOP = 0.24  # inch of the caption
-BEYOND = 1.3  # half-widths of the widest model that are shown
+BEYOND = 1.25  # widths of the widest model that are shown
 
 
 @dataclass(frozen=True)
@@ -37,18 +38,21 @@ def curve(entry, name):
 
 
 def label(entry):
-    """The model, its words, and the numbers that are neither defaults nor of the run."""
+    """The model, which of its kind, and parameters that are neither defaults nor of the run."""
     from repose import theory
 
-    parameters = theory.models()[entry["model"]].parameters
-    default = {parameter.name: parameter.value for parameter in parameters}
-    words = [entry["model"]]
-    words += [str(entry["parameters"][each.name]) for each in parameters if each.unit == "" and each.name != "file"]
+    defaults = {parameter.name: parameter.value for parameter in theory.models()[entry["model"]].parameters}
+    words, numbers = [entry["model"]], []
     for name, value in entry["parameters"].items():
-        given = isinstance(value, (int, float)) and name not in (*entry["from_run"], "points")
-        if given and (not default[name] or value != _number(default[name])):
-            words.append(f"{name} = {value:g}")
-    return " ".join(words)
+        if name == "model":
+            words.append(value)
+        elif value is not None and name not in (*entry["from_run"], "points") and not _same(value, defaults[name]):
+            numbers.append(f"{name} = {value if isinstance(value, str) else format(value, 'g')}")
+    return " ".join([*words, ", ".join(numbers)]).rstrip()
+
+
+def _same(value, written):
+    return value == written if isinstance(value, str) else value == _number(written)
 
 
 def _number(text):
@@ -62,17 +66,20 @@ def per_degree(agreement):
     """Chi-square per degree of freedom, as text."""
     if agreement["chi_square"] is None:
         return "–"
-    return f"{agreement['chi_square'] / agreement['degrees']:.3g}"
+    value = agreement["chi_square"] / agreement["degrees"]
+    return f"{value:.3g}" if value < 1000.0 else f"{value:.0f}"
 
 
 def figure_of(measured, units, text):
     """A column for each Measured: normal force, shear force, and residuals of the normal force over their errors."""
     lines = max(len(each.entries) for each in measured) + 2
-    size = (COLUMN * len(measured) + 0.5, 4.3 + ROW * lines + TOP)
+    size = (COLUMN * len(measured) + 0.5, 4.5 + ROW * lines + TOP)
     figure = Figure(figsize=size)
-    grid = figure.subplots(
-        3, len(measured), sharex="col", sharey="row", squeeze=False, gridspec_kw={"height_ratios": [2.2, 1.2, 1.0]}
-    )
+    heights = {"height_ratios": [2.2, 1.3, 1.1]}
+    grid = figure.subplots(3, len(measured), sharex="col", squeeze=False, gridspec_kw=heights)
+    for row in grid[:2]:
+        for axes in row[1:]:
+            axes.sharey(row[0])
     try:
         for column, each in zip(grid.T, measured):
             _column(column, each)
@@ -83,10 +90,10 @@ def figure_of(measured, units, text):
         raise NotDrawn(" ".join(str(error).split())) from error
     for axes, words in zip(grid[:, 0], ("normal force\n(grain weights)", "shear force\n(grain weights)")):
         axes.set_ylabel(words)
-    grid[2, 0].set_ylabel("normal residual\n/ standard error")
+    grid[2, 0].set_ylabel("residual\n/ error")
     figure.align_ylabels()
     figure.tight_layout(pad=0.4, w_pad=1.0, rect=(0.0, 0.0, 1.0, 1.0 - TOP / size[1]))
-    style.caption(figure, text)
+    style.caption(figure, f"{text}; residuals: of the normal force")
     return figure
 
 
@@ -94,10 +101,10 @@ def _column(column, measured):
     for axes, name in zip(column, ("normal", "shear")):
         axes.axhline(0.0, color=style.FAINT, linewidth=0.6, zorder=0)
         look = dict(color=style.GREY, markersize=2.2, alpha=0.35, markeredgewidth=0, zorder=1)
-        axes.plot(measured.discs["x"], measured.discs[name], "o", label="base disc", **look)
+        axes.plot(measured.discs["x"], measured.discs[name], "o", label=DATA[0], **look)
         error = np.nan_to_num(measured.bins[f"{name}_error"])
         look = dict(fmt="s", color=style.INK, markersize=3.2, elinewidth=1.0, capsize=2, zorder=4)
-        axes.errorbar(measured.bins["x"], measured.bins[name], error, label="mean ± standard error", **look)
+        axes.errorbar(measured.bins["x"], measured.bins[name], error, label=DATA[1], **look)
         for k, entry in enumerate(measured.entries):
             axes.plot(*curve(entry, name), color=_colour(k), linewidth=1.4, label=_with_numbers(entry), zorder=3)
     residuals = column[2]
@@ -112,9 +119,11 @@ def _column(column, measured):
     middle = np.mean([base["centre"] for base in bases])
     reach = 0.5 * BEYOND * max(base["width"] for base in bases)
     column[2].set_xlim(middle - reach, middle + reach)
+    handles, labels = column[0].get_legend_handles_labels()
+    order = sorted(range(len(labels)), key=lambda k: DATA.index(labels[k]) if labels[k] in DATA else len(DATA))
     column[0].legend(
-        loc="lower left", bbox_to_anchor=(0.0, 1.02), title=f"{measured.name}\n".lstrip() + "χ² per degree: normal, shear",
-        title_fontsize=7, alignment="left",
+        [handles[k] for k in order], [labels[k] for k in order], loc="lower left", bbox_to_anchor=(0.0, 1.02),
+        title=f"{measured.name}\n".lstrip() + "χ² per degree: normal, shear", title_fontsize=7, alignment="left",
     )  # fmt: skip
 
 

@@ -16,7 +16,6 @@ def draw(run, state):
         raise NotDrawn(NONE)
     units = style.units_of(run)
     slope = (run.summary.get("angle_of_repose_deg") or {}).get("mean")
-    text = f"one heap; mean over {units.length_value(bins.attributes['bin_width'])}, errors from the scatter between discs"
-    if slope is not None:
-        text += f"; its slope {slope:.1f}°"
+    text = "one heap" if slope is None else f"one heap of slope {slope:.1f}°"
+    text += f"; mean over {units.length_value(bins.attributes['bin_width'])}, errors from the scatter between discs"
     return figure_of([Measured("", run.base, bins, entries)], units, text)
