@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/run/theory_comparison.hpp"
+
 #include "repose/core/errors.hpp"
 #include "repose/run/summary.hpp"
-#include "repose/run/theory_comparison.hpp"
 #include "repose/run/theory_overlay.hpp"
 
 #include <gtest/gtest.h>
@@ -130,7 +131,8 @@ TEST(TheoryComparison, KnownDeviationsGiveChiSquareAndRms) {
   EXPECT_EQ(found.shear.degrees, 9);  // nothing of it is matched
   EXPECT_NEAR(found.shear.rms, 1.5, 1e-6);
   double mean = 0.0;
-  for (std::size_t k = 0; k < base.bins.x.size(); ++k) mean += std::fabs(base.bins.x[k]) <= 20.0 ? base.bins.normal[k] / 9 : 0;
+  for (std::size_t k = 0; k < base.bins.x.size(); ++k)
+    mean += std::fabs(base.bins.x[k]) <= 20.0 ? base.bins.normal[k] / 9 : 0;
   EXPECT_NEAR(found.shear.rms_over_mean, 1.5 / mean, 1e-9);
 }
 
@@ -157,7 +159,35 @@ TEST(TheoryComparison, WidthFromTheMeasuredStretch) {
   const auto found = compare(continuum, base);
   EXPECT_LE(found.width, width);
   EXPECT_GE(found.width, width - 2.0 * 1.3 / tenths);
-  EXPECT_EQ(base.loaded_discs(), std::ranges::count_if(base.discs.x, [](double x) { return std::fabs(x - 0.4) < 22.2; }));
+  EXPECT_EQ(base.loaded_discs(),
+            std::ranges::count_if(base.discs.x, [](double x) { return std::fabs(x - 0.4) < 22.2; }));
+}
+
+// A triangle whose apex is at 0.2: a tenth of the maximum at 0.02 and 0.92, midway 0.47, which comes to lie on the
+// centre. Rows at one place are a jump; a foot that carries load ends at the foot.
+TEST(TheoryComparison, SkewModelsAreCentredWhereTheHeapIs) {
+  const auto table = [](std::vector<double> x, std::vector<double> normal) {
+    const std::vector<double> shear(x.size(), 0.0);
+    return theory::Table{{{"x_over_b", "1", "", std::move(x), {}},
+                          {"normal", "1", "", std::move(normal), {}},
+                          {"shear", "1", "", shear, {}}},
+                         {}};
+  };
+  const auto base = pile();
+  auto found = laid_on(table({0.0, 0.2, 1.0}, {0.0, 1.0, 0.0}), base);
+  EXPECT_NEAR(found.width, 2.0 * base.half_width / 0.9, 1e-11);
+  EXPECT_NEAR(found.left + 0.47 * found.width, middle, 1e-12);
+  EXPECT_NEAR(found.scale, found.weight * found.spacing / (0.5 * found.width), 1e-11);
+  found = laid_on(table({0.0, 0.5, 0.5, 1.0}, {1.0, 1.0, 2.0, 2.0}), base);
+  EXPECT_NEAR(found.width, 2.0 * base.half_width, 1e-11);
+  // Bins at -5 and 5, left and right of the jump; discs are 3.1/3 apart in the mean, a tenth more or less in a bin.
+  ASSERT_EQ(base.bins.x[8], -5.0);
+  ASSERT_EQ(found.residuals.x[3], -5.0);
+  const double low = base.bins.normal[8] - found.residuals.normal[3];
+  const double high = base.bins.normal[10] - found.residuals.normal[5];
+  const double on_a_disc = found.weight / (1.5 * found.width) * (3.1 / 3.0);
+  EXPECT_NEAR(low, on_a_disc, 0.1 * on_a_disc);
+  EXPECT_NEAR(high, 2.0 * on_a_disc, 0.2 * on_a_disc);
 }
 
 TEST(TheoryComparison, SlopeIsThatOfTheRunUnlessGiven) {
@@ -184,7 +214,8 @@ bool has(const std::string& name) {
   return std::ranges::any_of(theory::default_models(), [&](const auto& m) { return theory::text_of(m).name == name; });
 }
 
-// Fixed principal axes and others take the angle of friction for the slope; where the first is given, the second is free.
+// Fixed principal axes and others take the angle of friction for the slope; where the first is given, the second is
+// free.
 TEST(TheoryComparison, FrictionAngleIsTheSlopeUnlessGiven) {
   if (!has("osl")) GTEST_SKIP() << "no model of friction is registered";
   const auto base = pile();
@@ -240,7 +271,8 @@ TEST(TheoryComparison, ChoicesAreReadWithAllProblems) {
 }
 
 TEST(SummaryText, TheoryComesAndGoesAndLeavesTheRestAlone) {
-  const auto text = with_checksum("{\n  \"title\": \",\\n  \\\"theory\\\": 1\",\n  \"x\": {\n    \"theory\": 2\n  }\n}");
+  const auto text =
+      with_checksum("{\n  \"title\": \",\\n  \\\"theory\\\": 1\",\n  \"x\": {\n    \"theory\": 2\n  }\n}");
   ASSERT_TRUE(is_whole_summary(text));
   const auto with = with_theory(text, "[1]");
   EXPECT_TRUE(is_whole_summary(with));

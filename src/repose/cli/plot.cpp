@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cstdio>
-
 #include <memory>
 #include <string>
 #include <utility>
@@ -32,8 +31,8 @@ void print(const std::vector<LaidOn>& all) {
     for (const auto& comparison : base.models) {
       fmt::print("{}\n", comparison.label());
       for (const auto& [name, agreement] : {std::pair{"normal", &comparison.normal}, {"shear", &comparison.shear}}) {
-        fmt::print("  {:<8} chi-square per degree {}, rms residual {:.3g} grain weights, {:.3g} of the mean load\n", name,
-                   per_degree(*agreement), agreement->rms, agreement->rms_over_mean);
+        fmt::print("  {:<8} chi-square per degree {}, rms residual {:.3g} grain weights, {:.3g} of the mean load\n",
+                   name, per_degree(*agreement), agreement->rms, agreement->rms_over_mean);
       }
     }
   }

@@ -26,7 +26,8 @@ namespace repose {
 
 namespace {
 
-constexpr const char* own_files[] = {"sweep.toml", "table.csv", "members.csv", "claims.csv", "sweep.h5", "summary.json"};
+constexpr const char* own_files[] = {"sweep.toml", "table.csv", "members.csv",
+                                     "claims.csv", "sweep.h5",  "summary.json"};
 constexpr const char* own_folders[] = {"scenes", "members", "pictures"};
 
 std::string content_of(const fs::path& path) {

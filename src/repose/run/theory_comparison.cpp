@@ -78,7 +78,7 @@ void check(const std::string& model, const theory::Table& table) {
   }
   const auto& normal = table.column("normal").values;
   if (!(*std::ranges::max_element(normal) > 0.0) || !(Polyline(x, normal).integral() > 0.0)) {
-    throw InputError(fmt::format("{}: has no weight with these parameters", model));
+    throw InputError(fmt::format("{}: carries no weight with these parameters", model));
   }
 }
 
@@ -172,14 +172,23 @@ std::vector<theory::Setting> settings_for(const TheoryChoice& choice, const Meas
 }
 
 TheoryComparison compare(const TheoryChoice& choice, const MeasuredBase& base) {
-  TheoryComparison result;
-  result.model = model_for(choice, base, result.from_run);
-  const auto table = theory::predict(result.model);
+  std::vector<std::string> from_run;
+  const auto model = model_for(choice, base, from_run);
+  const auto table = theory::predict(model);
   if (!has_base_force(table)) {
-    throw InputError(fmt::format("{}: has no force on the base of a heap (x_over_b, normal, shear); models that have: {}", choice.model,
-                                 fmt::join(models_of_base_force(base), " | ")));
+    throw InputError(
+        fmt::format("{}: has no force on the base of a heap (x_over_b, normal, shear); models that have: {}",
+                    choice.model, fmt::join(models_of_base_force(base), " | ")));
   }
   check(choice.model, table);
+  auto result = laid_on(table, base);
+  result.model = model;
+  result.from_run = from_run;
+  return result;
+}
+
+TheoryComparison laid_on(const theory::Table& table, const MeasuredBase& base) {
+  TheoryComparison result;
   const auto& place = table.column("x_over_b").values;
   const Polyline normal(place, table.column("normal").values);
   const Polyline shear(place, table.column("shear").values);
@@ -187,7 +196,6 @@ TheoryComparison compare(const TheoryChoice& choice, const MeasuredBase& base) {
   const double height = threshold * *std::ranges::max_element(table.column("normal").values);
   const double first = normal.first_above(height);
   const double last = normal.last_above(height);
-  if (!(last > first)) throw InputError(fmt::format("{}: has no width with these parameters", choice.model));
   result.weight = base.weight();
   result.width = 2.0 * base.half_width / (last - first);
   result.left = base.centre - 0.5 * (first + last) * result.width;
@@ -221,7 +229,8 @@ TheoryComparison compare(const TheoryChoice& choice, const MeasuredBase& base) {
     sum += base.bins.normal[k];
   }
   if (residuals.x.empty()) {
-    throw InputError("the stretch of base that the heap loads is too short: no bin (analysis.base_bin) has its centre there");
+    throw InputError(
+        "the stretch of base that the heap loads is too short: no bin (analysis.base_bin) has its centre there");
   }
   const double mean = sum / static_cast<double>(residuals.x.size());
   result.normal = agreement(residuals.normal, residuals.normal_error, mean, matched_normal);

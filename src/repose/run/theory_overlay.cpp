@@ -49,8 +49,8 @@ Json finished_summary(const std::string& folder) {
   }
   auto json = Json::parse(text, nullptr, false);
   if (!json.is_object() || json.value("state_hash", "") != facts.state_hash) {
-    throw InputError(fmt::format("{}: is not of the last state of the run; `repose analyse {}` writes it anew", path,
-                                 folder));
+    throw InputError(
+        fmt::format("{}: is not of the last state of the run; `repose analyse {}` writes it anew", path, folder));
   }
   return json;
 }
@@ -72,9 +72,8 @@ BinnedProfile read_bins(const Hdf5Reader& file, const std::string& group) {
 void check(const MeasuredBase& base, const std::string& name) {
   const auto& bins = base.bins;
   const auto count = bins.x.size();
-  const bool lengths = bins.normal.size() == count && bins.normal_error.size() == count &&
-                       bins.shear.size() == count && bins.shear_error.size() == count &&
-                       base.discs.normal.size() == base.discs.x.size() &&
+  const bool lengths = bins.normal.size() == count && bins.normal_error.size() == count && bins.shear.size() == count &&
+                       bins.shear_error.size() == count && base.discs.normal.size() == base.discs.x.size() &&
                        base.discs.shear.size() == base.discs.x.size();
   if (!lengths || binned(base.discs, bins.bin_width).x != bins.x) {
     throw InputError(fmt::format("{}: its bins are not those of the base profile", name));
@@ -154,7 +153,8 @@ void add_problems(const InputError& error, std::vector<std::string>& problems) {
   }
 }
 
-LaidOn laid_on(const MeasuredBase& base, const std::vector<TheoryChoice>& choices, std::vector<std::string>& problems) {
+LaidOn all_laid_on(const MeasuredBase& base, const std::vector<TheoryChoice>& choices,
+                   std::vector<std::string>& problems) {
   LaidOn result;
   for (const auto& choice : choices) {
     try {
@@ -173,8 +173,10 @@ std::vector<LaidOn> laid_on_sweep(const std::string& folder, const std::vector<T
     return status != status_text(Status::finished) && status != status_text(Status::failed);
   });
   if (open > 0) {
-    throw InputError(fmt::format("{0}: the sweep has not finished, {1} members are open: `repose sweep {0}/sweep.toml` "
-                                 "goes on with it", folder, open));
+    throw InputError(
+        fmt::format("{0}: the sweep has not finished, {1} members are open: `repose sweep {0}/sweep.toml` "
+                    "goes on with it",
+                    folder, open));
   }
   const auto names = file.texts("points/name");
   std::vector<LaidOn> all;
@@ -184,7 +186,7 @@ std::vector<LaidOn> laid_on_sweep(const std::string& folder, const std::vector<T
     try {
       const auto base = measured_base(folder, p);
       any = true;
-      laid = laid_on(base, choices, problems);
+      laid = all_laid_on(base, choices, problems);
       laid.members = file.integer(fmt::format("profiles/{:04}", p), "members");
     } catch (const InputError& error) {
       laid.problem = error.what();
@@ -218,7 +220,8 @@ TheoryChoice read_choice(const std::string& written, std::vector<std::string>& p
   if (std::ranges::none_of(models, [&](const auto& model) { return theory::text_of(model).name == choice.model; })) {
     std::vector<std::string_view> names;
     for (const auto& model : models) names.push_back(theory::text_of(model).name);
-    problems.push_back(fmt::format("--theory {}: no such model of theory; must be {}", written, fmt::join(names, " | ")));
+    problems.push_back(
+        fmt::format("--theory {}: no such model of theory; must be {}", written, fmt::join(names, " | ")));
   }
   if (colon == std::string::npos) return choice;
   std::size_t start = colon + 1;
@@ -292,7 +295,7 @@ std::vector<LaidOn> lay_theory_on(const std::string& folder, const std::vector<s
     if (sweep) {
       all = laid_on_sweep(folder, chosen, problems);
     } else {
-      all.push_back(laid_on(measured_base(folder), chosen, problems));
+      all.push_back(all_laid_on(measured_base(folder), chosen, problems));
     }
     if (problems.empty()) write(folder, all, sweep);
   } catch (const InputError& error) {

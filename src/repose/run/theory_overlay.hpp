@@ -22,8 +22,8 @@ struct LaidOn {
   std::string problem;  ///< of a point on which nothing could be laid: why
 };
 
-/// Lays the models on the base of a finished run, or of every point of a sweep that has a base profile, and puts the list
-/// of what came out into the key "theory" of summary.json, which a sweep has for that alone; see
+/// Lays the models on the base of a finished run, or of every point of a sweep that has a base profile, and puts the
+/// list of what came out into the key "theory" of summary.json, which a sweep has for that alone; see
 /// docs/reference/summary.md. Throws InputError with a line for every problem, and then has written nothing.
 std::vector<LaidOn> lay_theory_on(const std::string& folder, const std::vector<std::string>& choices);
 
