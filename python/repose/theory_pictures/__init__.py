@@ -2,10 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of the models of theory: each is a function of a Prediction that returns a figure."""
 
-from repose.theory_pictures import base
+from repose.theory_pictures import base, osl
 
 PICTURES = {
     "pile-continuum": base.draw,
+    "pile-lattice": base.draw,
+    "pile-tent": base.draw,
+    "osl": osl.draw,
 }
 
 

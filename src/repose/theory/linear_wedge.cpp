@@ -14,7 +14,7 @@ namespace {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 // A surface at the friction angle is at yield exactly: rounding alone must not count as a violation.
-constexpr double margin_of_rounding = 1e-12;
+double margin_of_rounding(double sin_friction) { return std::max(1e-12, 1e-14 / sin_friction); }
 constexpr double length_of_rounding = 1e-9;
 
 bool is_outer(const LinearWedge& wedge, const Ray& ray) { return ray.from_axis >= wedge.s_inner; }
@@ -92,9 +92,10 @@ YieldViolation yield_violation(const LinearWedge& wedge, double sin_friction) {
   const double core = yield_margin(wedge.centre, sin_friction);
   const double flank = yield_margin(wedge.outer, sin_friction);
   const double smallest = std::min(core, flank);
-  YieldViolation violation{std::abs(smallest) < margin_of_rounding ? 0.0 : smallest, none, none, 0.0};
-  const bool core_fails = core < -margin_of_rounding;
-  const bool flank_fails = flank < -margin_of_rounding;
+  const double rounding = margin_of_rounding(sin_friction);
+  YieldViolation violation{std::abs(smallest) < rounding ? 0.0 : smallest, none, none, 0.0};
+  const bool core_fails = core < -rounding;
+  const bool flank_fails = flank < -rounding;
   if (!core_fails && !flank_fails) return violation;
   const auto excess = excess_of(wedge, sin_friction);
   // Without a root the limit is exceeded everywhere.

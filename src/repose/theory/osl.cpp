@@ -20,7 +20,8 @@ namespace repose::theory {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr double dip_of_rounding = 1e-9;  // of the depth of a dip that was found numerically
+constexpr double flattest_at_failure = 0.1;  // deg, that the solver of incipient failure is tested for
+constexpr double dip_of_rounding = 1e-9;     // of the depth of a dip that was found numerically
 
 double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
 double slope_of(const Osl& model) { return radians(model.slope_deg.value_or(model.angle_deg)); }
@@ -198,7 +199,7 @@ void parameters(Osl& model, ModelParameters& to) {
                      {.low = 0.0, .high = 1e6, .low_allowed = false}, "1", "with model = custom");
   to.choice("output", model.output, {"base", "field"}, "stresses on the base, or in the pile");
   to.integer("points", model.points, {.low = 2, .high = 10'000'000}, "places along the base, both feet included");
-  to.integer("grid", model.grid, {.low = 1, .high = 2'000}, "depths of the field; it has grid (grid + 2) places");
+  to.integer("grid", model.grid, {.low = 2, .high = 2'000}, "depths of the field; it has grid (grid + 2) places");
 }
 
 std::vector<std::string> relations(const Osl& model) {
@@ -222,6 +223,10 @@ std::vector<std::string> relations(const Osl& model) {
         fmt::format("slope_deg = {}: must be angle_deg = {} with model = ife, whose surface is at "
                     "failure too",
                     slope_deg, model.angle_deg));
+  }
+  if (model.model == "ife" && model.angle_deg < flattest_at_failure) {
+    problems.push_back(fmt::format("angle_deg = {}: must be >= {} with model = ife, whose layer at the axis is as thin",
+                                   model.angle_deg, flattest_at_failure));
   }
   if (!custom || !problems.empty()) return problems;
   const auto closure = closure_of(model);

@@ -18,14 +18,14 @@ namespace repose::theory {
 /// Source: Bratberg (2003), section 3.1.5, eqs (41)-(47); Wittmer, Cates and Claudin (1997).
 /// Validated by tests/theory/osl_test.cpp and incipient_failure_test.cpp.
 struct Osl {
-  std::string model = "fpa";        ///< closure: fpa | bcc | ife | custom
-  double angle_deg = 30.0;          ///< of friction, in (0, 90)
-  std::optional<double> slope_deg;  ///< of the surface, if not the friction angle; never above it
-  std::optional<double> mu;         ///< custom only, and required there
-  std::optional<double> eta;        ///< custom only; else from yield of a surface at the friction angle
-  std::string output = "base";      ///< base | field
-  std::int64_t points = 201;        ///< along the base, both feet included
-  std::int64_t grid = 40;           ///< depths of the field
+  std::string model = "fpa";                       ///< closure: fpa | bcc | ife | custom
+  double angle_deg = 30.0;                         ///< of friction, in (0, 90)
+  std::optional<double> slope_deg = std::nullopt;  ///< of the surface, if not the friction angle; never above it
+  std::optional<double> mu = std::nullopt;         ///< custom only, and required there
+  std::optional<double> eta = std::nullopt;        ///< custom only; else from yield of a surface at the friction angle
+  std::string output = "base";                     ///< base | field
+  std::int64_t points = 201;                       ///< along the base, both feet included
+  std::int64_t grid = 40;                          ///< depths of the field
 
   static constexpr ModelText text{
       .name = "osl",
