@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reads a run folder; the format is described in docs/reference/run-folder.md."""
 
-import json
 from dataclasses import dataclass, fields
 from pathlib import Path
 
 import numpy as np
 
 from repose.analysis import Analysis
-from repose.hdf5 import RunFolderError, Table, attributes_of, can_hash, check_format, one_line, opened, xxhash
+from repose.hdf5 import RunFolderError, Table, attributes_of, check_format, opened
+from repose.summary import read_summary
 
 FORMAT_VERSION = 3
 NEEDED = set("title units dimension time status grain_diameter grain_weight periodic x_min x_max".split())
@@ -101,7 +101,7 @@ class RunFolder:
             )
             self.frames = sorted(file["frames"]) if "frames" in file else []
         self.analysis = _read_analysis(self.path / "analysis.h5", self.state)
-        self.summary = _read_summary(self.path / "summary.json")
+        self.summary = read_summary(self.path / "summary.json")
 
     @property
     def surface(self):
@@ -145,17 +145,3 @@ def _read_analysis(path, state):
     chains = analysis["chains"]
     same_contacts = chains is None or len(chains["chain"]) == len(state.contacts)
     return analysis if analysis.attributes["time"] == state.time and same_contacts else None
-
-
-def _read_summary(path):
-    if not path.is_file():
-        return {}
-    try:
-        content = path.read_bytes()
-        summary = json.loads(content.decode("utf-8"))
-    except (OSError, ValueError) as error:
-        raise RunFolderError(f"{path}: cannot be read: {one_line(error)}") from error
-    text, key, end = content.rpartition(b',\n  "checksum": ')
-    if key and can_hash() and end != f'"{xxhash.xxh3_128_hexdigest(text)}"\n}}\n'.encode():
-        raise RunFolderError(f"{path}: damaged: its content is not what was written")
-    return summary

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from repose.hdf5 import RunFolderError, Table, attributes_of, check_format, opened
+from repose.summary import read_summary
 
 FORMAT_VERSION = 1
 NEEDED = {"title", "units"}
@@ -34,6 +35,7 @@ class SweepFolder:
     members: Table  # point, seed, status: each (K)
     values: "dict[str, np.ndarray]"  # measures by member (K)
     profiles: "list[Profile | None]"  # (P)
+    summary: dict  # summary.json: theory that was laid on the profiles; empty without
 
     def __init__(self, path):
         self.path = Path(path)
@@ -50,6 +52,7 @@ class SweepFolder:
             self.measures = {name: Table(part, "mean error deviation count") for name, part in file["measures"].items()}
             self.members = Table(file["members"], "point seed status")
             self.profiles = [_read_profile(file, k) for k in range(len(self.points))]
+        self.summary = read_summary(self.path / "summary.json")
 
 
 def _read_profile(file, point):

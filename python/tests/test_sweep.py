@@ -254,6 +254,7 @@ def test_packings_leave_out_shares_that_nobody_has(tmp_path):
 
 
 NO_RESPONSE = "not drawn: no points of the sweep differ in one downward load alone"
+NO_THEORY = "not drawn: no theory was laid on it (repose plot DIR --theory MODEL)"
 NO_PACKINGS = "not drawn: no packings measured over a parameter that is a number"
 
 
@@ -263,9 +264,9 @@ def test_command_line_draws_a_sweep(tmp_path, capsys, kind):
     folder = write_sweep(tmp_path / "sweep", **kind)
     assert main([str(folder), "--format", "png,svg", "--dpi", "50"]) == 0
     printed = capsys.readouterr()
-    drawn = [name for name in SWEEP_PICTURES if name not in ("packing", "response")]
+    drawn = [name for name in SWEEP_PICTURES if name not in ("packing", "response", "theory")]
     expected = [str(folder / "pictures" / f"{name}.{end}") for name in drawn for end in ("png", "svg")]
-    expected += [f"packing: {NO_PACKINGS}", f"response: {NO_RESPONSE}"]
+    expected += [f"packing: {NO_PACKINGS}", f"response: {NO_RESPONSE}", f"theory: {NO_THEORY}"]
     assert printed.out.splitlines() == expected
     assert printed.err == ""
 
@@ -281,6 +282,7 @@ def test_sweep_without_anything_finished(tmp_path, capsys):
         "measures: not drawn: no member has any of its measures",
         f"packing: {NO_PACKINGS}",
         f"response: {NO_RESPONSE}",
+        f"theory: {NO_THEORY}",
     ]
 
 

@@ -17,6 +17,7 @@ from repose.pictures import (
     packing,
     stress,
     surface,
+    theory,
     voronoi,
     walls,
 )
@@ -38,4 +39,5 @@ PICTURES = {
     "directions": directions.draw,
     "correlations": correlations.draw,
     "surface": surface.draw,
+    "theory": theory.draw,
 }

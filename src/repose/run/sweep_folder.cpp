@@ -27,8 +27,8 @@ namespace repose {
 
 namespace {
 
-constexpr const char* own_files[] = {"sweep.toml", "table.csv",    "members.csv",  "claims.csv",
-                                     "sweep.h5",   "response.csv", "response.json"};
+constexpr const char* own_files[] = {"sweep.toml", "table.csv",    "members.csv",   "claims.csv",
+                                     "sweep.h5",   "response.csv", "response.json", "summary.json"};
 constexpr const char* own_folders[] = {"scenes", "members", "pictures"};
 
 std::string content_of(const fs::path& path) {
@@ -161,6 +161,9 @@ SweepTable SweepFolder::table() const {
 }
 
 void SweepFolder::write(const SweepTable& table) const {
+  // It compares theory with the profiles that are about to change (lay_theory_on), and nothing else.
+  std::error_code error;
+  fs::remove(fs::path(path_) / "summary.json", error);
   write_text_file(path_ + "/table.csv", table_csv(plan_, table));
   write_text_file(path_ + "/members.csv", members_csv(plan_, table));
   if (!plan_.claims.empty()) write_text_file(path_ + "/claims.csv", claims_csv(plan_, table));

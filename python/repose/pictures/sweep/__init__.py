@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The pictures of a sweep: each is a function of a SweepFolder that returns figures or raises NotDrawn."""
 
-from repose.pictures.sweep import angle, dip, measures, packing, profiles, response
+from repose.pictures.sweep import angle, dip, measures, packing, profiles, response, theory
 
 SWEEP_PICTURES = {
     "profiles": profiles.draw,
@@ -11,4 +11,5 @@ SWEEP_PICTURES = {
     "measures": measures.draw,
     "packing": packing.draw,
     "response": response.draw,
+    "theory": theory.draw,
 }

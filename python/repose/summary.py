@@ -1,0 +1,22 @@
+# SPDX-FileCopyrightText: 2026 The Repose developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reads summary.json of a run or sweep folder; its keys are described in docs/reference/summary.md."""
+
+import json
+
+from repose.hdf5 import RunFolderError, can_hash, one_line, xxhash
+
+
+def read_summary(path):
+    """The numbers by name, {} without a file; RunFolderError where it is not as it was written."""
+    if not path.is_file():
+        return {}
+    try:
+        content = path.read_bytes()
+        summary = json.loads(content.decode("utf-8"))
+    except (OSError, ValueError) as error:
+        raise RunFolderError(f"{path}: cannot be read: {one_line(error)}") from error
+    text, key, end = content.rpartition(b',\n  "checksum": ')
+    if key and can_hash() and end != f'"{xxhash.xxh3_128_hexdigest(text)}"\n}}\n'.encode():
+        raise RunFolderError(f"{path}: damaged: its content is not what was written")
+    return summary
