@@ -190,7 +190,7 @@ TEST(Osl, BaseCarriesTheWeight) {
 TEST(Osl, LatticeClosureIsTheContinuumPileWhateverTheFrictionAngle) {
   for (const double slope : {0.7, 12.0, 30.0, 45.0, 58.0}) {
     const double unit = std::numbers::sqrt3 / 2.0 * 2.0 / std::tan(radians(slope));  // B/h = 2/tan(slope)
-    for (const double angle : {slope, 59.0, 80.0}) {
+    for (const double angle : {3.0, slope, 59.0, 80.0}) {
       const auto table = evaluate(
           Osl{.model = "custom", .angle_deg = angle, .slope_deg = slope, .mu = 0.0, .eta = 1.0 / 3.0, .points = 1001});
       for (std::size_t i = 0; i < 1001; ++i) {
@@ -199,6 +199,33 @@ TEST(Osl, LatticeClosureIsTheContinuumPileWhateverTheFrictionAngle) {
         EXPECT_NEAR(table.column("shear").values[i], unit * force.shear, 1e-13) << slope << ' ' << i;
       }
     }
+  }
+}
+
+// A surface steeper than the friction angle, under a closure that is given whole: beyond Coulomb's limit from some
+// place outward, told by the margins of Mohr's circle of the printed stresses.
+TEST(Osl, TooSteepASurfaceIsJudgedNotRefused) {
+  for (const double angle : {28.0, 30.0, 35.0}) {  // everywhere; all but the axis, to rounding; from some place on
+    const Osl model{
+        .model = "custom", .angle_deg = angle, .slope_deg = 36.0, .mu = 0.0, .eta = 1.0 / 3.0, .points = 20001};
+    const auto table = evaluate(model);
+    const auto& x = table.column("x_over_b").values;
+    const double flank = table.number("flank_violated_from");
+    double violated = 0.0;
+    for (std::size_t i = 1; i + 1 < x.size(); ++i) {
+      const double normal = table.column("normal").values[i];
+      const double horizontal = table.column("horizontal").values[i];
+      const double radius = std::hypot(0.5 * (normal - horizontal), table.column("shear").values[i]);
+      const double margin = 1.0 - radius / (0.5 * (normal + horizontal) * std::sin(radians(angle)));
+      EXPECT_NEAR(table.column("yield_margin").values[i], margin, 1e-10) << x[i];
+      if (margin < 0.0) violated += 1.0;
+      const double reduced = std::abs(2.0 * x[i] - 1.0);
+      if (angle > 28.0 && std::abs(reduced - flank) > 1e-4) {
+        EXPECT_EQ(margin<0.0, reduced> flank) << angle << ' ' << x[i];
+      }
+    }
+    EXPECT_NEAR(violated / 20000.0, table.number("violated_share"), 2e-4);  // places are 5e-5 apart, on two sides
+    EXPECT_GT(violated, 2000.0);
   }
 }
 
@@ -310,9 +337,12 @@ TEST(Osl, RefusesWhatHasNoSolution) {
             "osl: eta = 2: only model = custom takes it; fpa has its own");
   EXPECT_EQ(complaint({{"model", "custom"}, {"eta", "2"}}), "osl: mu: must be given with model = custom");
   EXPECT_EQ(complaint({{"model", "custom"}, {"mu", "0"}, {"eta", "0"}}), "osl: eta = 0: must be > 0 and <= 1000000");
-  EXPECT_EQ(complaint({{"slope_deg", "31"}}),
-            "osl: slope_deg = 31: must be <= angle_deg = 30: no surface of grains without cohesion is steeper than the "
-            "friction angle");
+  EXPECT_EQ(
+      complaint({{"slope_deg", "31"}}),
+      "osl: slope_deg = 31: must be <= angle_deg = 30, of which the closure is made: no surface of grains without "
+      "cohesion is steeper than the friction angle");
+  EXPECT_NE(complaint({{"model", "custom"}, {"mu", "0"}, {"slope_deg", "31"}}), "none");
+  EXPECT_EQ(complaint({{"model", "custom"}, {"mu", "0"}, {"eta", "0.3"}, {"slope_deg", "31"}}), "none");
   EXPECT_EQ(complaint({{"model", "ife"}, {"slope_deg", "29"}}),
             "osl: slope_deg = 29: must be angle_deg = 30 with model = ife, whose surface is at failure too");
   EXPECT_EQ(complaint({{"model", "ife"}, {"slope_deg", "30"}}), "none");

@@ -98,9 +98,11 @@ YieldViolation yield_violation(const LinearWedge& wedge, double sin_friction) {
   const bool flank_fails = flank < -rounding;
   if (!core_fails && !flank_fails) return violation;
   const auto excess = excess_of(wedge, sin_friction);
-  // Without a root the limit is exceeded everywhere.
-  const auto [low, high] = boost::math::tools::quadratic_roots(excess.c2, excess.c1, excess.c0);
-  const bool everywhere = core_fails && flank_fails && (std::isnan(low) || high < 0.0 || low > wedge.s_inner);
+  auto [low, high] = boost::math::tools::quadratic_roots(excess.c2, excess.c1, excess.c0);
+  // Without a root the limit is exceeded everywhere, unless rounding hides the one place where it is just met.
+  const bool no_root = std::isnan(low);
+  const bool everywhere = core_fails && flank_fails && (no_root || high < 0.0 || low > wedge.s_inner);
+  if (no_root) low = high = -0.5 * excess.c1 / excess.c2;
   if (everywhere) return {smallest, 1.0, 0.0, 1.0};
   if (core_fails && low > length_of_rounding) {
     violation.core_to = std::min(low, wedge.s_inner);

@@ -35,7 +35,8 @@ class Describer : public ModelParameters {
   }
   void optional_number(std::string_view name, std::optional<double>& value, std::string_view otherwise,
                        const Bounds& bounds, std::string_view unit, std::string_view about) override {
-    add(name, value ? fmt::format("{}", *value) : std::string{otherwise}, unit, bounds.text(), about);
+    if (value) return add(name, fmt::format("{}", *value), unit, bounds.text(), about);
+    add(name, std::string{otherwise}, "", bounds.text(), about);
   }
   void integer(std::string_view name, std::int64_t& value, const WholeBounds& bounds, std::string_view about) override {
     add(name, fmt::format("{}", value), "1", bounds.text(), about);

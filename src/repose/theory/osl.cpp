@@ -213,10 +213,12 @@ std::vector<std::string> relations(const Osl& model) {
   }
   if (custom && !model.mu) problems.emplace_back("mu: must be given with model = custom");
   const double slope_deg = model.slope_deg.value_or(model.angle_deg);
-  if (slope_deg > model.angle_deg) {
+  // A closure that is given whole does not know the friction angle, which then only judges it.
+  const bool made_by_angle = !(custom && model.mu && model.eta);
+  if (slope_deg > model.angle_deg && made_by_angle) {
     problems.push_back(
-        fmt::format("slope_deg = {}: must be <= angle_deg = {}: no surface of grains without cohesion "
-                    "is steeper than the friction angle",
+        fmt::format("slope_deg = {}: must be <= angle_deg = {}, of which the closure is made: no surface of grains "
+                    "without cohesion is steeper than the friction angle",
                     slope_deg, model.angle_deg));
   } else if (model.model == "ife" && slope_deg < model.angle_deg) {
     problems.push_back(

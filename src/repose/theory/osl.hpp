@@ -20,7 +20,7 @@ namespace repose::theory {
 struct Osl {
   std::string model = "fpa";                       ///< closure: fpa | bcc | ife | custom
   double angle_deg = 30.0;                         ///< of friction, in (0, 90)
-  std::optional<double> slope_deg = std::nullopt;  ///< of the surface, if not the friction angle; never above it
+  std::optional<double> slope_deg = std::nullopt;  ///< of the surface, if not the friction angle
   std::optional<double> mu = std::nullopt;         ///< custom only, and required there
   std::optional<double> eta = std::nullopt;        ///< custom only; else from yield of a surface at the friction angle
   std::string output = "base";                     ///< base | field
