@@ -23,11 +23,17 @@ BaseForce base_force(const PileContinuum& model, double x_over_b) {
   const double slope = sine(model.slope_deg);
   const double x = x_over_b <= 0.5 ? x_over_b : 1.0 - x_over_b;  // from the nearer foot
   const double to_near_flank = slope / sine(120.0 - model.slope_deg);
+  // Lengths of the diagonal with the near flank and of the one against it, which inside x_c ends on the far flank.
+  // Their difference is written out, by sin(120 - a) - sin(60 - a) = sin(a), since it is far smaller than either on a
+  // gentle slope.
   const double with_slope = x * to_near_flank;
-  // Length of the diagonal that leans against the near flank; inside x_c it ends on the far one.
-  const double against =
-      x <= plateau_begins(model.slope_deg) ? x * slope / sine(60.0 - model.slope_deg) : (1.0 - x) * to_near_flank;
-  const double outward = (with_slope - against) / (2.0 * std::numbers::sqrt3);
+  double against = (1.0 - x) * to_near_flank;
+  double difference = (x - (1.0 - x)) * to_near_flank;
+  if (x <= plateau_begins(model.slope_deg)) {
+    against = x * slope / sine(60.0 - model.slope_deg);
+    difference = -against * to_near_flank;
+  }
+  const double outward = difference / (2.0 * std::numbers::sqrt3);
   return {0.5 * (with_slope + against), x_over_b <= 0.5 ? outward : 0.0 - outward};
 }
 
