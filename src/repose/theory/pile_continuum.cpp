@@ -33,7 +33,7 @@ BaseForce base_force(const PileContinuum& model, double x_over_b) {
     against = x * slope / sine(60.0 - model.slope_deg);
     difference = -against * to_near_flank;
   }
-  const double outward = difference / (2.0 * std::numbers::sqrt3);
+  const double outward = difference / (2.0 * std::numbers::sqrt3) + 0.0;  // never minus zero
   return {0.5 * (with_slope + against), x_over_b <= 0.5 ? outward : 0.0 - outward};
 }
 
