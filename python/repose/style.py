@@ -99,12 +99,6 @@ def caption(figure, text):
     figure.text(0.08 / width, 1.0 - 0.08 / height, text, ha="left", va="top", fontsize=7, color=GREY)
 
 
-def settings(model):
-    """Name and parameters of a model of theory, in a line."""
-    written = (f"{parameter.name} = {parameter.value}" for parameter in model.parameters)
-    return f"{model.name}: {', '.join(written)}"
-
-
 def save(figure, path, kind, dpi, title):
     """Writes a picture under a temporary name and renames it, so that nobody meets half a file."""
     metadata = {"Title": title}

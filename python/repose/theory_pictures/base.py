@@ -5,6 +5,7 @@
 from matplotlib.figure import Figure
 
 from repose import style
+from repose.theory_pictures import captions
 
 
 def draw(prediction):
@@ -23,8 +24,7 @@ def draw(prediction):
     lower.set_xlabel("x / B")
     lower.set_xlim(0.0, 1.0)
     figure.align_ylabels()
-    figure.tight_layout(pad=0.4, rect=(0.0, 0.0, 1.0, 0.94))
-    style.caption(figure, style.settings(prediction.model))
+    captions.fit_below(figure, captions.add(figure, prediction.model, leave_out=("points",)))
     return figure
 
 

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Captions of models with many parameters."""
 
+import re
 import textwrap
 
 from repose import style
@@ -12,15 +13,17 @@ LINE = 0.13  # inches
 
 def add(figure, model, leave_out=()):
     """Name and parameters of a model above a figure, in as many lines as they need; the height of those (inches)."""
-    written = ", ".join(
-        f"{parameter.name}\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}{parameter.value}"
-        for parameter in model.parameters
-        if parameter.name not in leave_out
-    )
+    shown = (parameter for parameter in model.parameters if parameter.name not in leave_out)
+    written = ", ".join(f"{p.name}\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}{_short(p.value)}" for p in shown)
     width = figure.get_size_inches()[0]
     lines = textwrap.wrap(f"{model.name}: {written}", int(LETTERS_PER_INCH * width), break_long_words=False)
     style.caption(figure, "\n".join(lines))
     return 0.1 + LINE * len(lines)
+
+
+def _short(value):
+    """A number with a point in four digits; anything else as written."""
+    return f"{float(value):.4g}" if re.fullmatch(r"-?\d+\.\d+(e-?\d+)?", value) else value
 
 
 def fit_below(figure, height):

@@ -2,21 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The response to a point load by three kinds of theory."""
 
-import textwrap
-
 from matplotlib.figure import Figure
 
 from repose import style
+from repose.theory_pictures import captions
 
 CURVES = (("elastic", style.BLUE, "elastic"), ("osl", style.ORANGE, "OSL"), ("diffusive", style.GREEN, "diffusive"))
-
-
-def _settings(model):
-    """Name and parameters in lines that fit."""
-    short = ((p.name, p.value) for p in model.parameters)
-    short = (f"{name} = {float(value):.4g}" if "." in value else f"{name} = {value}" for name, value in short)
-    text = ", ".join(setting.replace(" ", "\N{NO-BREAK SPACE}") for setting in short)
-    return "\n".join(textwrap.wrap(f"{model.name}: {text}", 84))
 
 
 def draw(prediction):
@@ -30,6 +21,5 @@ def draw(prediction):
     axes.set(xlabel="x / h", ylabel="vertical stress at depth h (F / h)", xlim=(x[0], x[-1]))
     axes.set_ylim(bottom=0.0)
     axes.legend(loc="upper right", borderaxespad=0.3)
-    figure.tight_layout(pad=0.4, rect=(0.0, 0.0, 1.0, 0.86))
-    style.caption(figure, _settings(prediction.model))
+    captions.fit_below(figure, captions.add(figure, prediction.model))
     return figure

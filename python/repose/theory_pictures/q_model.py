@@ -2,19 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The q-model: distribution of weights in the last layer, or their variance by depth, beside what is exact."""
 
-import textwrap
-
 from matplotlib.figure import Figure
 
 from repose import style
-
-
-def _settings(model):
-    """Name and parameters in lines that fit."""
-    short = ((p.name, p.value) for p in model.parameters)
-    short = (f"{name} = {float(value):.4g}" if "." in value else f"{name} = {value}" for name, value in short)
-    text = ", ".join(setting.replace(" ", "\N{NO-BREAK SPACE}") for setting in short)
-    return "\n".join(textwrap.wrap(f"{model.name}: {text}", 84))
+from repose.theory_pictures import captions
 
 
 def draw(prediction):
@@ -24,8 +15,7 @@ def draw(prediction):
     by_layer = "layer" in prediction.columns
     (_variance if by_layer else _distribution)(axes, prediction)
     axes.legend(loc="lower right" if by_layer else "upper right", borderaxespad=0.6)
-    figure.tight_layout(pad=0.4, rect=(0.0, 0.0, 1.0, 0.86))
-    style.caption(figure, _settings(prediction.model))
+    captions.fit_below(figure, captions.add(figure, prediction.model))
     return figure
 
 
