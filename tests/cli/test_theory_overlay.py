@@ -55,7 +55,8 @@ def swept(tmp_path_factory):
 
 def table_of(model, parameters):
     """Columns of `repose theory` by name."""
-    settings = [word for key, value in parameters.items() for word in ("--set", f"{key}={value!r}".replace("'", ""))]
+    written = {key: value if isinstance(value, str) else repr(value) for key, value in parameters.items()}
+    settings = [word for key, value in written.items() if value != "None" for word in ("--set", f"{key}={value}")]
     printed = repose("theory", model, *settings, "--csv", "-")
     assert printed.returncode == 0, printed.stderr
     rows = csv.DictReader(io.StringIO(re.sub(r"^#.*\n", "", printed.stdout, flags=re.M)))
@@ -146,6 +147,40 @@ def test_numbers_of_a_run(lab, out):
     expected = first["normal"]["chi_square"] / first["normal"]["degrees"]
     assert float(re.search(r"per degree ([0-9.e+-]+)", printed[0])[1]) == pytest.approx(expected, rel=1e-3)
     assert (out / "pictures/theory.png").is_file()
+
+
+@pytest.mark.parametrize(
+    "choice, parameters, from_run",
+    [
+        (
+            "osl:model=fpa",
+            {"model": "fpa", "angle_deg": "slope", "slope_deg": None, "mu": None, "eta": None},
+            ["angle_deg"],
+        ),
+        ("osl:model=ife,points=1001", {"model": "ife", "points": 1001}, ["angle_deg"]),
+        (
+            "osl:model=custom,mu=-0.1,eta=0.5,angle_deg=50",
+            {"mu": -0.1, "eta": 0.5, "angle_deg": 50, "slope_deg": "slope"},
+            ["slope_deg"],
+        ),
+        ("pile-lattice", {"slope_deg": "slope"}, ["slope_deg", "base_count"]),
+        ("pile-tent:upper_slope_deg=40", {"lower_slope_deg": 30, "upper_slope_deg": 40}, []),
+    ],
+)
+def test_models_of_every_kind(lab, out, choice, parameters, from_run):
+    result = lab("plot", "out", "--theory", choice, *QUICK)
+    assert result.returncode == 0 and "not drawn" not in result.stdout, result.stdout + result.stderr
+    numbers = summary(out)
+    (entry,) = numbers["theory"]
+    slope = numbers["angle_of_repose_deg"]["mean"]
+    expected = {name: slope if value == "slope" else value for name, value in parameters.items()}
+    assert {name: entry["parameters"][name] for name in parameters} == expected
+    assert entry["from_run"] == from_run
+    with h5py.File(out / "run.h5", "r") as file:
+        x, weight = file["base/x"][()], file["base/normal"][()].sum()
+        bins = bins_of(file["analysis/base"], weight)
+    if choice != "pile-lattice":  # whose table has the sawtooth of its discs, which steps of a quadrature round off
+        check_entry(entry, x, bins, numbers["base_dip"]["centre"], numbers["base_dip"]["half_width"])
 
 
 def test_the_rest_of_the_summary_stays_and_the_list_is_replaced(lab, out):

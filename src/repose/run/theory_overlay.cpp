@@ -84,12 +84,11 @@ void check(const MeasuredBase& base, const std::string& name) {
 Json parameters_json(const theory::Model& model) {
   Json json = Json::object();
   for (const auto& parameter : theory::parameters_of(model)) {
+    auto& value = json[parameter.name] = nullptr;
+    if (!parameter.is_set) continue;
     const auto number = Json::parse(parameter.value, nullptr, false);
-    if (parameter.unit.empty() || parameter.value == "inf") {
-      json[parameter.name] = parameter.value;
-    } else {
-      json[parameter.name] = number.is_number() ? number : Json(nullptr);
-    }
+    const bool word = parameter.unit.empty() || !number.is_number();  // infinity is one, too
+    value = word ? Json(parameter.value) : number;
   }
   return json;
 }

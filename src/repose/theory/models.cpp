@@ -37,6 +37,7 @@ class Describer : public ModelParameters {
                        const Bounds& bounds, std::string_view unit, std::string_view about) override {
     if (value) return add(name, fmt::format("{}", *value), unit, bounds.text(), about);
     add(name, std::string{otherwise}, "", bounds.text(), about);
+    texts.back().is_set = false;
   }
   void integer(std::string_view name, std::int64_t& value, const WholeBounds& bounds, std::string_view about) override {
     add(name, fmt::format("{}", value), "1", bounds.text(), about);

@@ -19,6 +19,7 @@ struct ParameterText {
   std::string unit;     ///< "" for words
   std::string allowed;  ///< "must be > 0 and < 60"
   std::string about;
+  bool is_set = true;  ///< false: it has no value, and `value` says what holds without
 };
 
 using Setting = std::pair<std::string, std::string>;  ///< name and value, both as written
