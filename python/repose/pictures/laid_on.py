@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Models of theory over measured base forces, as `repose plot DIR --theory` put them into summary.json."""
 
+import textwrap
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,8 +14,9 @@ from repose.not_drawn import NotDrawn
 NONE = "no theory was laid on it (repose plot DIR --theory MODEL)"
 DATA = ("base disc", "mean ± standard error")  # in the legend, before the models
 COLUMN = 4.0  # inch
+LETTERS_PER_INCH = 18  # of a caption
 ROW = 0.15  # inch of a line of a legend
-TOP = 0.24  # inch of the caption
+CAPTION_LINE = 0.13  # inch
 BEYOND = 1.25  # widths of the widest model that are shown
 
 
@@ -73,7 +75,10 @@ def per_degree(agreement):
 def figure_of(measured, units, text):
     """A column for each Measured: normal force, shear force, and residuals of the normal force over their errors."""
     lines = max(len(each.entries) for each in measured) + 2
-    size = (COLUMN * len(measured) + 0.5, 4.5 + ROW * lines + TOP)
+    width = COLUMN * len(measured) + 0.5
+    caption = textwrap.wrap(f"{text}; residuals: of the normal force", int(LETTERS_PER_INCH * width))
+    top = 0.11 + CAPTION_LINE * len(caption)
+    size = (width, 4.5 + ROW * lines + top)
     figure = Figure(figsize=size)
     heights = {"height_ratios": [2.2, 1.3, 1.1]}
     grid = figure.subplots(3, len(measured), sharex="col", squeeze=False, gridspec_kw=heights)
@@ -92,8 +97,8 @@ def figure_of(measured, units, text):
         axes.set_ylabel(words)
     grid[2, 0].set_ylabel("residual\n/ error")
     figure.align_ylabels()
-    figure.tight_layout(pad=0.4, w_pad=1.0, rect=(0.0, 0.0, 1.0, 1.0 - TOP / size[1]))
-    style.caption(figure, f"{text}; residuals: of the normal force")
+    figure.tight_layout(pad=0.4, w_pad=1.0, rect=(0.0, 0.0, 1.0, 1.0 - top / size[1]))
+    style.caption(figure, "\n".join(caption))
     return figure
 
 
