@@ -42,9 +42,14 @@ class Model:
     source: str
     parameters: tuple
 
+    @property
+    def settings(self):
+        """What the parameters have, as written, by name."""
+        return {parameter.name: parameter.value for parameter in self.parameters}
+
     def value(self, name):
         """What the parameter of this name has, as written."""
-        return next(parameter.value for parameter in self.parameters if parameter.name == name)
+        return self.settings[name]
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from repose import style
+from repose import style, theory
 from repose.theory_pictures import captions
 
 
@@ -15,19 +15,17 @@ def draw_janssen(prediction):
     figure = Figure(figsize=(4.6, 3.4))
     axes, masses = figure.subplots(1, 2, sharey=True)
     depth = prediction["depth"]
+    free = theory.predict("janssen", **{**prediction.model.settings, "friction": "0"})
     for panel, name, label in ((axes, "stress", "vertical stress"), (masses, "apparent_mass", "apparent mass")):
         saturation = prediction["saturation_stress" if name == "stress" else "saturation_mass"]
-        slope = prediction["mass_per_height"]
-        if name == "stress":
-            slope *= _settings(prediction)["gravity"] / _area(prediction)
-        start = prediction[name][0]
-        panel.plot(start + slope * depth, depth, color=style.GREY, linewidth=0.9, dashes=(4, 2), label="no friction")
+        panel.plot(free[name], depth, color=style.GREY, linewidth=0.9, dashes=(4, 2), label="no friction")
         panel.plot(prediction[name], depth, color=style.BLUE, linewidth=1.4, label="Janssen")
         if np.isfinite(saturation):
             panel.axvline(saturation, color=style.ORANGE, linewidth=0.9, dashes=(1, 1.5), label="saturation")
-        largest = max(prediction[name].max(), start + slope * depth[-1] if prediction["lambda"] > depth[-1] else 0.0)
+        bottom = free[name][-1]
+        largest = max(prediction[name].max(), bottom if prediction["lambda"] > depth[-1] else 0.0)
         if np.isfinite(saturation):
-            largest = max(largest, min(2.2 * saturation, start + slope * depth[-1]), 1.05 * saturation)
+            largest = max(largest, min(2.2 * saturation, bottom), 1.05 * saturation)
         panel.set_xlim(0.0, 1.03 * largest)
         panel.set_xlabel(f"{label} ({_power(prediction.unit(name))})")
     axes.set_ylim(depth[-1], 0.0)
@@ -45,12 +43,11 @@ def draw_discrete(prediction):
     figure = Figure(figsize=(4.6, 3.2))
     axes = figure.subplots()
     layer, force = prediction["layer"], prediction["force"]
-    settings = {parameter.name: parameter.value for parameter in prediction.model.parameters}
-    sense = 1.0 if settings["direction"] == "rest" else -1.0
-    fine = np.linspace(0.0, layer[-1], 400)
-    x = sense * 2.0 * float(settings["k_mu"])
-    continuum = 3.0 * (fine if x == 0.0 else -np.expm1(-x * fine) / x)
-    axes.plot(fine, 3.0 * fine, color=style.GREY, linewidth=0.9, dashes=(4, 2), label="no friction")
+    settings = prediction.model.settings
+    at_rest = settings["direction"] == "rest"
+    k_mu = float(settings["k_mu"])
+    fine, continuum = _janssen(layer[-1], 3.0, k_mu, settings["direction"])  # three grains a cell
+    axes.plot(*_janssen(layer[-1], 3.0, 0.0, "rest"), color=style.GREY, linewidth=0.9, dashes=(4, 2), label="no friction")
     axes.plot(fine, continuum, color=style.ORANGE, linewidth=1.1, label="continuum, λ₁ = λ₂ = l / 2Kμ")
     few = len(layer) <= 60
     axes.plot(layer, force, color=style.BLUE, linestyle="none" if few else "-", marker="o" if few else "",
@@ -61,7 +58,8 @@ def draw_discrete(prediction):
     axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     axes.set_xlabel("cells above, N (of height l)")
     axes.set_ylabel("force below (m g)")
-    axes.legend(loc="lower right" if sense > 0.0 and layer[-1] * x > 1.5 else "upper left", borderaxespad=0.8)
+    saturates = at_rest and 2.0 * k_mu * layer[-1] > 1.5
+    axes.legend(loc="lower right" if saturates else "upper left", borderaxespad=0.8)
     captions.fit_below(figure, captions.add(figure, prediction.model))
     return figure
 
@@ -70,19 +68,19 @@ def draw_fit(prediction):
     """Measured masses with the fitted law, and what is left."""
     figure = Figure(figsize=(4.6, 3.6))
     upper, lower = figure.subplots(2, 1, sharex=True, gridspec_kw={"height_ratios": [2.4, 1]})
-    settings = {parameter.name: parameter.value for parameter in prediction.model.parameters}
-    sense = 1.0 if settings["direction"] == "rest" else -1.0
+    settings = prediction.model.settings
+    at_rest = settings["direction"] == "rest"
     height, mass = prediction["height"], prediction["apparent_mass"]
     error = prediction["apparent_mass_error"] if "apparent_mass_error" in prediction.columns else None
-    fine = np.linspace(0.0, 1.03 * height.max(), 400)
-    size = float(settings["mass_per_height"]) * prediction["lambda_1"]
-    law = -sense * size * np.expm1(-sense * fine / prediction["lambda_2"])
+    # Janssen's law with lambda_2, of the size that lambda_1 gives it.
+    per_height = float(settings["mass_per_height"]) * prediction["lambda_1"] / prediction["lambda_2"]
+    fine, law = _janssen(1.03 * height.max(), per_height, 0.5 / prediction["lambda_2"], settings["direction"])
     look = {"fmt": "o", "markersize": 3.5, "color": style.BLUE, "elinewidth": 0.8, "zorder": 3}
     upper.errorbar(height, mass, yerr=error, label="data", **look)
     upper.plot(fine, law, color=style.ORANGE, linewidth=1.2, label=_lengths(prediction))
     upper.set_ylim(min(0.0, 1.05 * mass.min()), 1.08 * max(mass.max(), law.max()))
     upper.set_ylabel("apparent mass (M)")
-    upper.legend(loc="lower right" if sense > 0.0 else "upper left", borderaxespad=0.8)
+    upper.legend(loc="lower right" if at_rest else "upper left", borderaxespad=0.8)
     lower.axhline(0.0, color=style.ORANGE, linewidth=1.0)
     lower.errorbar(height, prediction["residual"], yerr=error, **look)
     lower.set_ylabel("residual (M)")
@@ -101,24 +99,16 @@ def _lengths(prediction):
         digits = max(0, 1 - int(np.floor(np.log10(error))))
         return f"{prediction[name]:.{min(digits, 12)}f} ± {error:.{min(digits, 12)}f}"
 
-    if next(p.value for p in prediction.model.parameters if p.name == "parameters") == "1":
+    if prediction.model.value("parameters") == "1":
         return f"λ = {with_error('lambda_1')} L"
     return f"λ₁ = {with_error('lambda_1')} L,  λ₂ = {with_error('lambda_2')} L"
 
 
-def _settings(prediction):
-    def number(text):
-        try:
-            return float(text)
-        except ValueError:
-            return text
-
-    return {parameter.name: number(parameter.value) for parameter in prediction.model.parameters}
-
-
-def _area(prediction):
-    settings = _settings(prediction)
-    return settings["width"] if settings["dimension"] == 2 else 0.25 * np.pi * settings["width"] ** 2
+def _janssen(height, mass_per_height, k_mu, direction):
+    """Heights and apparent masses of a continuous column of width 1, whose screening length is 1/(2 k_mu)."""
+    column = theory.predict("janssen", dimension=2, density=mass_per_height, solid_fraction=1, stress_ratio=k_mu,
+                            friction=1, height=height, direction=direction, points=401)  # fmt: skip
+    return column["depth"], column["apparent_mass"]
 
 
 def _power(unit):

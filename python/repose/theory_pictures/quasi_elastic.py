@@ -5,14 +5,12 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from repose import style
+from repose import style, theory
 from repose.theory_pictures import captions
 
 
 def draw(prediction):
     """The curve of all Poisson ratios, with the one that was asked for."""
-    from repose import theory  # the curve is the model's own, place by place
-
     figure = Figure(figsize=(4.2, 3.0))
     axes = figure.subplots()
     ratios = np.linspace(-0.99, 0.5, 150)

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace repose {
@@ -31,11 +32,10 @@ std::vector<theory::Setting> split(const std::vector<std::string>& settings) {
   std::vector<theory::Setting> pairs;
   std::vector<std::string> problems;
   for (const auto& setting : settings) {
-    const auto equals = setting.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      problems.push_back(fmt::format("--set {}: must be key=value", setting));
+    if (auto pair = theory::read_setting(setting)) {
+      pairs.push_back(std::move(*pair));
     } else {
-      pairs.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
+      problems.push_back(fmt::format("--set {}: must be key=value", setting));
     }
   }
   if (!problems.empty()) throw InputError(problems);

@@ -22,7 +22,7 @@ struct ResponseCurve {
 /// Response of a bed to one downward force F on a grain a height h above the centres of its base: the normal force on
 /// the base with the load less that without it, of members with the same seed. Points of a sweep whose scenes differ in
 /// the place of the load alone belong to one response: a seed counts once, with the mean over its places, because
-/// errors are between seeds. Validated by tests/cli/test_theory_network.py.
+/// errors are between seeds. Validated by tests/unit/point_response_test.cpp and tests/cli/test_theory_network.py.
 struct PointResponse {
   std::string name;            ///< of the first point with the load
   std::string without;         ///< point without a load

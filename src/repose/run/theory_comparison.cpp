@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <string_view>
 
 namespace repose {
 
@@ -106,14 +105,6 @@ Agreement agreement(const std::vector<double>& residual, const std::vector<doubl
   return result;
 }
 
-/// Empty for an unknown model.
-std::vector<theory::ParameterText> default_parameters(std::string_view name) {
-  for (const auto& model : theory::default_models()) {
-    if (theory::text_of(model).name == name) return theory::parameters_of(model);
-  }
-  return {};
-}
-
 theory::Model model_for(const TheoryChoice& choice, const MeasuredBase& base, std::vector<std::string>& from_run) {
   return theory::make_model(choice.model, settings_for(choice, base, from_run));
 }
@@ -134,7 +125,7 @@ double MeasuredBase::weight() const {
 
 std::string TheoryComparison::label() const {
   const auto name = theory::text_of(model).name;
-  const auto defaults = default_parameters(name);
+  const auto defaults = theory::default_parameters(name);
   std::string text{name};
   for (const auto& parameter : theory::parameters_of(model)) {
     const auto same = [&](const auto& other) { return other.name == parameter.name && other.value == parameter.value; };
@@ -150,7 +141,7 @@ std::vector<theory::Setting> settings_for(const TheoryChoice& choice, const Meas
   const auto given = [&](const std::string& name) {
     return std::ranges::any_of(choice.settings, [&](const auto& setting) { return setting.first == name; });
   };
-  const auto parameters = default_parameters(choice.model);
+  const auto parameters = theory::default_parameters(choice.model);
   const auto wanted = [&](const std::string& name) {
     return !given(name) && std::ranges::any_of(parameters, [&](const auto& text) { return text.name == name; });
   };

@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 namespace repose {
@@ -217,21 +216,17 @@ TheoryChoice read_choice(const std::string& written, std::vector<std::string>& p
   choice.model = written.substr(0, colon);
   const auto models = theory::default_models();
   if (std::ranges::none_of(models, [&](const auto& model) { return theory::text_of(model).name == choice.model; })) {
-    std::vector<std::string_view> names;
-    for (const auto& model : models) names.push_back(theory::text_of(model).name);
-    problems.push_back(
-        fmt::format("--theory {}: no such model of theory; must be {}", written, fmt::join(names, " | ")));
+    problems.push_back(fmt::format("--theory {}: no such model of theory; must be {}", written, theory::model_names()));
   }
   if (colon == std::string::npos) return choice;
   std::size_t start = colon + 1;
   while (start <= written.size()) {
     const auto end = std::min(written.find(',', start), written.size());
     const auto setting = written.substr(start, end - start);
-    const auto equals = setting.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      problems.push_back(fmt::format("--theory {}: {}: must be key=value", written, setting.empty() ? "''" : setting));
+    if (auto pair = theory::read_setting(setting)) {
+      choice.settings.push_back(std::move(*pair));
     } else {
-      choice.settings.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
+      problems.push_back(fmt::format("--theory {}: {}: must be key=value", written, setting.empty() ? "''" : setting));
     }
     start = end + 1;
   }

@@ -116,6 +116,13 @@ std::vector<double> CsvFile::numbers(const std::string& name) const {
   return values;
 }
 
+std::string quoted(const std::string& cell) {
+  if (cell.find_first_of(",\"\n") == std::string::npos) return cell;
+  std::string all = "\"";
+  for (const char c : cell) all += c == '"' ? std::string{"\"\""} : std::string{c};
+  return all + "\"";
+}
+
 void throw_if_any(std::vector<std::string> problems) {
   if (problems.empty()) return;
   if (problems.size() > most_problems) {

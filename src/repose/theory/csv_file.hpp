@@ -32,6 +32,9 @@ class CsvFile {
   std::vector<std::size_t> lines_;
 };
 
+/// A cell as CsvFile reads it back: in quotes where it has a comma, a quote or a line break.
+std::string quoted(const std::string& cell);
+
 /// Throws InputError with these problems, of many the first and how many more there are; does nothing without any.
 void throw_if_any(std::vector<std::string> problems);
 

@@ -3,6 +3,7 @@
 #include "repose/theory/models.hpp"
 
 #include "repose/core/errors.hpp"
+#include "repose/theory/csv_file.hpp"
 #include "repose/theory/read_settings.hpp"
 
 #include <fmt/format.h>
@@ -69,15 +70,32 @@ std::string unit_in_brackets(const std::string& unit) { return unit.empty() ? ""
 
 std::vector<Model> default_models() { return every_model(std::make_index_sequence<std::variant_size_v<Model>>{}); }
 
-Model make_model(std::string_view name, const std::vector<Setting>& settings) {
+std::string model_names() {
   std::vector<std::string_view> names;
+  for (const auto& model : default_models()) names.push_back(text_of(model).name);
+  return fmt::format("{}", fmt::join(names, " | "));
+}
+
+std::vector<ParameterText> default_parameters(std::string_view name) {
+  for (const auto& model : default_models()) {
+    if (text_of(model).name == name) return parameters_of(model);
+  }
+  return {};
+}
+
+std::optional<Setting> read_setting(const std::string& written) {
+  const auto equals = written.find('=');
+  if (equals == std::string::npos || equals == 0) return std::nullopt;
+  return Setting{written.substr(0, equals), written.substr(equals + 1)};
+}
+
+Model make_model(std::string_view name, const std::vector<Setting>& settings) {
   for (auto& model : default_models()) {
-    names.push_back(text_of(model).name);
-    if (names.back() != name) continue;
+    if (text_of(model).name != name) continue;
     std::visit([&](auto& kind) { read_settings(kind, settings); }, model);
     return model;
   }
-  throw InputError(fmt::format("{}: no such model of theory; must be {}", name, fmt::join(names, " | ")));
+  throw InputError(fmt::format("{}: no such model of theory; must be {}", name, model_names()));
 }
 
 ModelText text_of(const Model& model) {

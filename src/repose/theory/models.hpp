@@ -5,6 +5,7 @@
 #include "repose/theory/registry.hpp"
 #include "repose/theory/table.hpp"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -26,6 +27,15 @@ using Setting = std::pair<std::string, std::string>;  ///< name and value, both 
 
 /// All models with their defaults, in the order of the registry.
 std::vector<Model> default_models();
+
+/// Names of all models, as a message lists them: "a | b | c".
+std::string model_names();
+
+/// Parameters of a model with their defaults; none for an unknown one.
+std::vector<ParameterText> default_parameters(std::string_view model);
+
+/// Reads "key=value"; none where it is not so written.
+std::optional<Setting> read_setting(const std::string& written);
 
 /// A model with the settings read into it. Throws InputError with a line for every problem: unknown model or
 /// parameter, a value that is none, one outside its bounds, or values that do not go together.

@@ -111,11 +111,4 @@ std::vector<std::string> SettingsReader::problems(std::string_view model) const 
   return all;
 }
 
-std::string quoted(const std::string& cell) {
-  if (cell.find_first_of(",\"\n") == std::string::npos) return cell;
-  std::string all = "\"";
-  for (const char c : cell) all += c == '"' ? std::string{"\"\""} : std::string{c};
-  return all + "\"";
-}
-
 }  // namespace repose::theory

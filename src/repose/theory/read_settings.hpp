@@ -56,7 +56,4 @@ void read_settings(M& model, const std::vector<std::pair<std::string, std::strin
   if (!problems.empty()) throw InputError(problems);
 }
 
-/// A cell of a CSV file: in quotes where it has a comma, a quote or a line break.
-std::string quoted(const std::string& cell);
-
 }  // namespace repose::theory
