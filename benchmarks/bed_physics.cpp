@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
   }
   auto bed = bench::read_bed(REPOSE_BED, 1);
   using Law = PairLaw<Hooke, Linear>;
-  Soft<2, Law> method(soft::LawsOfMaterials<Law>(bench::hooke_linear()), bench::settings_of(bed));
+  Soft<2, Law> method(soft::MaterialTable<Law>(bench::hooke_linear()), bench::settings_of(bed));
   Team team(1);
   method.grains_added(bed.grains);
   method.advance(bed.grains, std::stol(argv[1]), team);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bed_scene.hpp"
-#include "repose/run/setup.hpp"
-#include "repose/run/simulation.hpp"
 #include "repose/scene/read.hpp"
+#include "repose/simulation/methods.hpp"
+#include "repose/simulation/simulation.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -37,7 +37,7 @@ template <class Law>
 void bed(benchmark::State& state, const Law& law) {
   const auto& start = bed_of(static_cast<int>(state.range(0)));
   auto grains = start.grains;
-  Soft<2, Law> method(soft::LawsOfMaterials<Law>(law), settings_of(start));
+  Soft<2, Law> method(soft::MaterialTable<Law>(law), settings_of(start));
   Team team(static_cast<int>(state.range(1)));
   method.grains_added(grains);
   const long steps = std::max(10L, 500 / static_cast<long>(state.range(0)));
@@ -102,7 +102,7 @@ BENCHMARK(heap_continuous)->Iterations(20);
 void pair_list_build(benchmark::State& state) {
   const auto& start = bed_of(static_cast<int>(state.range(0)));
   auto grains = start.grains;
-  Soft<2, HookeLinear> method(soft::LawsOfMaterials<HookeLinear>(hooke_linear()), settings_of(start));
+  Soft<2, HookeLinear> method(soft::MaterialTable<HookeLinear>(hooke_linear()), settings_of(start));
   Team team(static_cast<int>(state.range(1)));
   method.grains_added(grains);
   method.refresh(grains, team);

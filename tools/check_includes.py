@@ -18,14 +18,22 @@ BELOW = {
     "neighbours": {"core"},
     "laws": {"core"},
     "boundaries": {"core", "laws"},
-    "methods": {"core", "neighbours", "laws", "boundaries"},
-    "scene": {"core", "boundaries", "laws", "io"},
-    "analysis": {"core", "neighbours"},
-    "io": {"core", "neighbours"},
     "theory": {"core"},
-    "run": {"core", "neighbours", "laws", "boundaries", "methods", "scene", "analysis", "io", "theory"},
+    "io": {"core", "neighbours"},
+    "methods": {"core", "neighbours", "laws", "boundaries"},
+    "analysis": {"core", "neighbours"},
+    "scene": {"core", "boundaries", "laws", "io"},
 }
-BELOW["cli"] = BELOW["run"] | {"run"}
+KERNELS = {"core", "neighbours", "laws", "boundaries", "theory", "io"}
+BELOW["record"] = KERNELS | {"methods", "analysis", "scene"}
+# A simulation and what the analysis makes of its record never see each other.
+BELOW["simulation"] = BELOW["results"] = BELOW["record"] | {"record"}
+BELOW["contact_problem"] = BELOW["record"] | {"record", "simulation", "results"}
+BELOW["run_folder"] = BELOW["contact_problem"] | {"contact_problem"}
+BELOW["sweep"] = BELOW["run_folder"] | {"run_folder"}
+BELOW["comparison"] = BELOW["sweep"] | {"sweep"}
+BELOW["api"] = BELOW["comparison"] | {"comparison"}
+BELOW["cli"] = BELOW["api"] | {"api"}
 
 # Headers that a layer must not see, directly or through others: laws never see the grains, theory sees core's math
 # alone.
@@ -119,8 +127,8 @@ RIGHT = {
     "methods/soft/sweep.hpp": ['"repose/laws/hooke.hpp"'],
     "methods/soft/soft.hpp": ['"repose/methods/method.hpp"', '"repose/methods/soft/sweep.hpp"'],
     "theory/janssen.hpp": ['"repose/core/vec.hpp"'],
-    "run/simulation.cpp": ['"repose/methods/soft/soft.hpp"', '"repose/theory/janssen.hpp"', "<fmt/format.h>"],
-    "cli/main.cpp": ['"repose/run/simulation.hpp"'],
+    "simulation/simulation.cpp": ['"repose/methods/soft/soft.hpp"', '"repose/theory/janssen.hpp"', "<fmt/format.h>"],
+    "cli/main.cpp": ['"repose/simulation/simulation.hpp"'],
 }
 WRONG = {
     "core/up.hpp": ['"repose/laws/hooke.hpp"'],
@@ -136,12 +144,16 @@ WRONG = {
     "io/up.cpp": ['"repose/scene/scene.hpp"'],
     "theory/direct.hpp": ['"repose/core/contacts.hpp"'],
     "theory/indirect.hpp": ['"repose/core/view.hpp"'],
-    "run/up.cpp": ['"repose/cli/main.hpp"'],
+    "record/up.cpp": ['"repose/simulation/simulation.hpp"'],
+    "simulation/sideways.cpp": ['"repose/results/results.hpp"'],
+    "results/sideways.cpp": ['"repose/simulation/simulation.hpp"'],
+    "run_folder/up.cpp": ['"repose/sweep/sweep.hpp"'],
+    "api/up.cpp": ['"repose/cli/main.hpp"'],
     "misc/unknown.hpp": ["<cmath>"],
     "stray.hpp": ["<cmath>"],
     "io/relative.cpp": ['"../core/vec.hpp"'],
     "io/angle.cpp": ["<repose/core/vec.hpp>"],
-    "io/spaced.cpp": ['"repose/run/simulation.hpp"'],
+    "io/spaced.cpp": ['"repose/simulation/simulation.hpp"'],
 }
 
 

@@ -110,7 +110,7 @@ TEST(SoftContract, LawsByMaterial) {
   const Law soft_soft{Hooke{500.0, 0.5}, {}};
   const Law soft_hard{Hooke{1000.0, 0.5}, {}};
   const Law hard_hard{Hooke{4000.0, 0.5}, {}};
-  SoftWorld<2, Law> world(soft::LawsOfMaterials<Law>({soft_soft, soft_hard, soft_hard, hard_hard}, 2), settings);
+  SoftWorld<2, Law> world(MaterialTable<Law>({soft_soft, soft_hard, soft_hard, hard_hard}, 2), settings);
   world.add({{0.0, 0.0}}, {}, 0.0, 0.5, true, 0);
   world.add({{5.0, 0.0}}, {}, 0.0, 0.5, true, 1);
   const auto on_soft = world.add({{0.0, 1.0}}, {}, 0.0, 0.5, false, 1);

@@ -6,8 +6,8 @@
 // Half of the changes put an odd value where a value stands: changes of bytes alone hardly ever make one.
 #include "repose/core/errors.hpp"
 #include "repose/scene/read.hpp"
-#include "repose/scene/sweep_plan.hpp"
 #include "repose/scene/write.hpp"
+#include "repose/sweep/sweep_plan.hpp"
 
 #include <algorithm>
 #include <array>

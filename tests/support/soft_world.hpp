@@ -11,8 +11,8 @@ template <int D, class Law>
 class SoftWorld {
  public:
   SoftWorld(Law law, SoftSettings<D> settings, int threads = 1)
-      : method_(soft::LawsOfMaterials<Law>(law), settings), team_(threads) {}
-  SoftWorld(soft::LawsOfMaterials<Law> laws, SoftSettings<D> settings, int threads = 1)
+      : method_(MaterialTable<Law>(law), settings), team_(threads) {}
+  SoftWorld(MaterialTable<Law> laws, SoftSettings<D> settings, int threads = 1)
       : method_(laws, settings), team_(threads) {}
 
   /// Mass r^2 pi-free: 1 for radius 1/2. Returns the id.

@@ -131,7 +131,7 @@ std::vector<double> wide_layer(int threads, double along) {
     grains.add(grain, k, grain.fixed());
   }
   static_assert(columns * rows > static_cast<int>(PairList<2>::far));
-  Soft<2, Law> method(soft::LawsOfMaterials<Law>(Law{Hooke{2e4, 0.3}, Cumulative{0.5, 1.214}}), settings);
+  Soft<2, Law> method(MaterialTable<Law>(Law{Hooke{2e4, 0.3}, Cumulative{0.5, 1.214}}), settings);
   Team team(threads);
   method.grains_added(grains);
   method.advance(grains, 30, team);

@@ -36,7 +36,7 @@ Grains<2> triangle(double left_deg, double right_deg, double height, double apex
 // flanks alike, which shifts the line but leaves its slope. Tolerance: the lattice step over the height, in degrees.
 TEST(Heap, AnglesOfAsymmetricTriangle) {
   const auto grains = triangle(25.0, 35.0, 20.0, 3.0);
-  const auto shape = read_heap(grains, std::vector<bool>(grains.size(), true), 0.0, 2.0);
+  const auto shape = measure_heap(grains, std::vector<bool>(grains.size(), true), 0.0, 2.0);
   ASSERT_TRUE(shape.left && shape.right);
   EXPECT_NEAR(shape.left->angle_deg, 25.0, 0.5);
   EXPECT_NEAR(shape.right->angle_deg, 35.0, 0.5);
@@ -49,7 +49,7 @@ TEST(Heap, AnglesOfAsymmetricTriangle) {
 TEST(Heap, MomentsOfSymmetricTriangle) {
   for (const double angle : {20.0, 30.0, 40.0}) {
     const auto grains = triangle(angle, angle, 20.0, -1.0);
-    const auto shape = read_heap(grains, std::vector<bool>(grains.size(), true), 0.0, 2.0);
+    const auto shape = measure_heap(grains, std::vector<bool>(grains.size(), true), 0.0, 2.0);
     ASSERT_TRUE(shape.moments_angle_deg);
     EXPECT_NEAR(*shape.moments_angle_deg, angle, 0.3);
   }
@@ -60,7 +60,7 @@ TEST(Heap, SurfaceEndsAtAGapAndUsesTenToNinetyPercent) {
   std::int64_t id = 0;
   for (const double x : {-9.0, -5.0, -3.0, -1.0, 1.0, 3.0, 5.0})
     grains.add(unit_disc(x, 10.0 - std::fabs(x) * 2.0 + 1.0), id++);
-  const auto shape = read_heap(grains, std::vector<bool>(grains.size(), true), 0.0, 2.0);
+  const auto shape = measure_heap(grains, std::vector<bool>(grains.size(), true), 0.0, 2.0);
   ASSERT_EQ(shape.surface.size(), 6U);  // x = -9 lies beyond the empty bin at -7
   EXPECT_EQ(shape.surface.front().x, -5.0);
   // Tops: 1.5, 5.5, 9.5 | 9.5, 5.5, 1.5; the apex is the first of the highest.
@@ -71,7 +71,7 @@ TEST(Heap, SurfaceEndsAtAGapAndUsesTenToNinetyPercent) {
 
 TEST(Heap, NothingThere) {
   const Grains<2> none;
-  const auto shape = read_heap(none, {}, 0.0, 2.0);
+  const auto shape = measure_heap(none, {}, 0.0, 2.0);
   EXPECT_TRUE(shape.surface.empty());
   EXPECT_FALSE(shape.left || shape.right || shape.moments_angle_deg);
 }
@@ -201,13 +201,13 @@ TEST(CoreRegion, TriangularLattice) {
     }
   }
   const std::vector<bool> in_heap(pile.grains.size(), true);
-  const auto heap = read_heap(pile.grains, in_heap, 0.0, 2.0);
+  const auto heap = measure_heap(pile.grains, in_heap, 0.0, 2.0);
   const auto cells = voronoi(pile.grains, in_heap, {}, {});
-  const auto core = read_core(pile.grains, pile.contacts, heap, cells, 0.0, 4.0, 2.0, 0.2);
+  const auto core = measure_core(pile.grains, pile.contacts, heap, cells, 0.0, 4.0, 2.0, 0.2);
   EXPECT_GT(core.grains, 50U);
   EXPECT_NEAR(*core.solid_fraction, std::numbers::pi / std::sqrt(12.0), 1e-9);
   EXPECT_NEAR(*core.coordination, 6.0, 1e-12);
-  const auto none = read_core(pile.grains, pile.contacts, heap, cells, 0.0, 100.0, 2.0, 0.2);
+  const auto none = measure_core(pile.grains, pile.contacts, heap, cells, 0.0, 100.0, 2.0, 0.2);
   EXPECT_EQ(none.grains, 0U);
   EXPECT_FALSE(none.solid_fraction || none.coordination);
 }
@@ -234,7 +234,7 @@ TEST(ForceNetwork, HandMade) {
   contacts.list = {contact(0, 1, {{-1, 0}}, 1.0), contact(1, 2, {{-1, 0}}, 1.0), contact(2, 3, {{-1, 0}}, 0.1)};
   for (int k = 0; k < 3; ++k) contacts.list.push_back(contact(k, plane_partner(0), {{0, 1}}, 1.0));
   const auto heap = supported(grains, contacts);
-  const auto network = read_force_network(grains, contacts, heap, 0.2);
+  const auto network = measure_force_network(grains, contacts, heap, 0.2);
   EXPECT_EQ(network.contacts, 5U);
   EXPECT_NEAR(*network.coordination, 7.0 / 4.0, 1e-12);
   EXPECT_NEAR(network.connectivity[0], 0.25, 1e-12);

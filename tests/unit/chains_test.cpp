@@ -72,7 +72,7 @@ struct Network {
 };
 
 Chains read(const Network& network, double threshold) {
-  return read_chains(network.grains, network.contacts, threshold, Box<2>{});
+  return find_chains(network.grains, network.contacts, threshold, Box<2>{});
 }
 
 // Eleven contacts above 0.2 of sum 26.5 and mean 2.41: the seven named strong, not the one of 2 (the mean of all
@@ -136,7 +136,7 @@ TEST(Chains, Direction) {
     for (const double sign : {1.0, -1.0}) {
       const Vec<2> normal{{sign * std::cos(angle / degrees), sign * std::sin(angle / degrees)}};
       contacts.list = {contact(0, 1, normal, 2.0), contact(1, 2, {{1.0, 0.0}}, 1.0)};
-      const auto chains = read_chains(grains, contacts, 0.0, Box<2>{});
+      const auto chains = find_chains(grains, contacts, 0.0, Box<2>{});
       ASSERT_EQ(chains.list.size(), 1U);
       EXPECT_NEAR(chains.list[0].direction_deg, angle == -90.0 ? 90.0 : angle, 1e-9);
     }
@@ -145,7 +145,7 @@ TEST(Chains, Direction) {
   add_disc(grains, 0, 0.0, 0.0);
   Contacts<2> contacts;
   contacts.list = {contact(0, plane_partner(0), {{-1e-17, 1.0}}, 2.0), contact(0, plane_partner(1), {{1, 0}}, 1.0)};
-  EXPECT_EQ(read_chains(grains, contacts, 0.0, Box<2>{}).list.at(0).direction_deg, 90.0);
+  EXPECT_EQ(find_chains(grains, contacts, 0.0, Box<2>{}).list.at(0).direction_deg, 90.0);
 }
 
 // Three grains at 9.5, 0.5 and 1.3 of a box from 0 to 10: along the contacts the chain is 1.8 wide, and would be 9
@@ -163,7 +163,7 @@ TEST(Chains, AcrossTheSideOfAPeriodicBox) {
   box.x_max = 10.0;
   for (const bool periodic : {true, false}) {
     box.periodic = periodic;
-    const auto chains = read_chains(grains, contacts, 0.0, box);
+    const auto chains = find_chains(grains, contacts, 0.0, box);
     ASSERT_EQ(chains.list.size(), 1U);
     EXPECT_EQ(chains.list[0].grains, 3U);
     EXPECT_NEAR(chains.list[0].width, periodic ? 1.8 : 9.0, 1e-12);
@@ -179,12 +179,12 @@ TEST(Chains, EqualOnesByTheirFirstContact) {
   const Vec<2> normal{{-1.0, 0.0}};
   contacts.list = {contact(0, 6, normal, 2.0), contact(1, 2, normal, 2.0), contact(2, 3, normal, 2.0),
                    contact(4, 5, normal, 1.0), contact(6, 7, normal, 2.0)};
-  const auto chains = read_chains(grains, contacts, 0.0, Box<2>{});
+  const auto chains = find_chains(grains, contacts, 0.0, Box<2>{});
   EXPECT_EQ(chains.chain_of_contact, (std::vector<std::int64_t>{0, 1, 1, -1, 0}));
 }
 
 TEST(Chains, NothingThere) {
-  const auto none = read_chains(Grains<2>{}, Contacts<2>{}, 0.0, Box<2>{});
+  const auto none = find_chains(Grains<2>{}, Contacts<2>{}, 0.0, Box<2>{});
   EXPECT_TRUE(none.list.empty());
   EXPECT_TRUE(none.chain_of_contact.empty());
   // Equal forces: none is above the mean.
@@ -192,13 +192,13 @@ TEST(Chains, NothingThere) {
   for (int k = 0; k < 3; ++k) add_disc(grains, k, k, 0.0);
   Contacts<2> contacts;
   contacts.list = {contact(0, 1, {{-1, 0}}, 1.0), contact(1, 2, {{-1, 0}}, 1.0)};
-  const auto equal = read_chains(grains, contacts, 0.0, Box<2>{});
+  const auto equal = find_chains(grains, contacts, 0.0, Box<2>{});
   EXPECT_TRUE(equal.list.empty());
   EXPECT_EQ(equal.chain_of_contact, (std::vector<std::int64_t>{-1, -1}));
   // Forces that are not finite, from a run that failed, leave the rest as it is: of 3 and 1, one is above the mean.
   contacts.list[0].normal_force = 3.0;
   contacts.list.push_back(contact(0, 2, {{-1, 0}}, std::numeric_limits<double>::infinity()));
-  EXPECT_EQ(read_chains(grains, contacts, 0.0, Box<2>{}).chain_of_contact, (std::vector<std::int64_t>{0, -1, -1}));
+  EXPECT_EQ(find_chains(grains, contacts, 0.0, Box<2>{}).chain_of_contact, (std::vector<std::int64_t>{0, -1, -1}));
 }
 
 }  // namespace

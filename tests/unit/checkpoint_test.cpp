@@ -117,7 +117,7 @@ struct Crowd {
     method.exchange(archive);
     if (archive.restoring()) method.restored(grains, team);
   }
-  soft::LawsOfMaterials<Law> laws{Law{Hooke{2e4, 0.3}, Cumulative{}}};
+  MaterialTable<Law> laws{Law{Hooke{2e4, 0.3}, Cumulative{}}};
   Soft<2, Law> method;
   Team team;
   Grains<2> grains;

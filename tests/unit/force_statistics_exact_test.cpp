@@ -45,7 +45,7 @@ TEST(ForceStatisticsExact, HandMade) {
                    contact(0.125, 33.0, true)};
   // An axis a trace below the horizontal is horizontal, not at the end of the last bin.
   contacts.list[0].normal = {{1.0, -1e-18}};
-  const auto statistics = read_force_statistics(contacts, 0.125);
+  const auto statistics = measure_force_statistics(contacts, 0.125);
   ASSERT_TRUE(statistics);
   EXPECT_NEAR(statistics->mean, 1.0, 1e-15);
   EXPECT_EQ(statistics->bin_width, 0.1);
@@ -71,7 +71,7 @@ TEST(ForceStatisticsExact, HandMade) {
 
 // Rounding of sums of 1e5 terms stays far below 1e-12 as each is a whole number over a common one.
 TEST(ForceStatisticsExact, IntegralIsOne) {
-  const auto statistics = read_force_statistics(exponential_forces(100000), 0.6);
+  const auto statistics = measure_force_statistics(exponential_forces(100000), 0.6);
   ASSERT_TRUE(statistics);
   EXPECT_NEAR(integral(statistics->density, statistics->bin_width), 1.0, 1e-12);
   EXPECT_NEAR(integral(statistics->direction_all, 10.0), 1.0, 1e-12);
@@ -84,7 +84,7 @@ TEST(ForceStatisticsExact, IntegralIsOne) {
 // (4.5 standard errors: eighteen of them).
 TEST(ForceStatisticsExact, ExponentialForces) {
   constexpr std::size_t count = 100000;
-  const auto statistics = read_force_statistics(exponential_forces(count), 0.0);
+  const auto statistics = measure_force_statistics(exponential_forces(count), 0.0);
   ASSERT_TRUE(statistics);
   const auto n = static_cast<double>(count);
   EXPECT_NEAR(statistics->mean, 3.0, 4.0 * 3.0 / std::sqrt(n));
@@ -110,10 +110,10 @@ TEST(ForceStatisticsExact, ExponentialForces) {
 TEST(ForceStatisticsExact, ForcesThatAreNotNumbers) {
   Contacts<2> contacts;
   contacts.list = {contact(std::numeric_limits<double>::infinity(), 0.0)};
-  EXPECT_FALSE(read_force_statistics(contacts, 0.0));
+  EXPECT_FALSE(measure_force_statistics(contacts, 0.0));
   contacts.list.push_back(contact(std::numeric_limits<double>::quiet_NaN(), 0.0));
   contacts.list.push_back(contact(2.0, 0.0));
-  const auto statistics = read_force_statistics(contacts, 0.0);
+  const auto statistics = measure_force_statistics(contacts, 0.0);
   ASSERT_TRUE(statistics);
   EXPECT_EQ(statistics->mean, 2.0);
 }
@@ -122,7 +122,7 @@ TEST(ForceStatisticsExact, ForcesThatAreNotNumbers) {
 TEST(ForceStatisticsExact, EqualForcesAreNotStrong) {
   Contacts<2> contacts;
   for (int k = 0; k < 10; ++k) contacts.list.push_back(contact(1.0, 45.0));
-  const auto statistics = read_force_statistics(contacts, 0.0);
+  const auto statistics = measure_force_statistics(contacts, 0.0);
   ASSERT_TRUE(statistics);
   EXPECT_EQ(statistics->mean, 1.0);
   EXPECT_EQ(statistics->strong_fraction, 0.0);

@@ -51,7 +51,7 @@ Network network() {
 
 TEST(ForceStatistics, HandMadeNetwork) {
   const auto made = network();
-  const auto statistics = read_force_statistics(made.contacts, 0.5);
+  const auto statistics = measure_force_statistics(made.contacts, 0.5);
   ASSERT_TRUE(statistics);
   EXPECT_DOUBLE_EQ(statistics->mean, 4.0);
   EXPECT_DOUBLE_EQ(statistics->strong_fraction, 4.0 / 7.0);
@@ -84,7 +84,7 @@ TEST(ForceStatistics, ExponentialForces) {
     contact.normal_force = -std::log(1.0 - uniform(5, Purpose::grain_size, k));
     contacts.list.push_back(contact);
   }
-  const auto statistics = read_force_statistics(contacts, -1.0);
+  const auto statistics = measure_force_statistics(contacts, -1.0);
   ASSERT_TRUE(statistics);
   for (std::size_t k = 0; k < 30; ++k) {
     const double expected = std::exp(-statistics->f[k]);
@@ -98,7 +98,7 @@ TEST(ForceStatistics, AHugeForceWidensTheBins) {
   Contacts<2> contacts;
   for (int k = 0; k < 9999; ++k) contacts.list.push_back({.normal = {{0.0, 1.0}}, .normal_force = 1.0});
   contacts.list.push_back({.normal = {{0.0, 1.0}}, .normal_force = 1e9});
-  const auto statistics = read_force_statistics(contacts, 0.5);
+  const auto statistics = measure_force_statistics(contacts, 0.5);
   ASSERT_TRUE(statistics);
   EXPECT_LE(statistics->f.size(), 1000U);
   double integral = 0.0;
@@ -106,7 +106,7 @@ TEST(ForceStatistics, AHugeForceWidensTheBins) {
   EXPECT_NEAR(integral, 1.0, 1e-12);
 }
 
-TEST(ForceStatistics, NoneWithoutForces) { EXPECT_FALSE(read_force_statistics({}, 0.0)); }
+TEST(ForceStatistics, NoneWithoutForces) { EXPECT_FALSE(measure_force_statistics({}, 0.0)); }
 
 }  // namespace
 }  // namespace repose

@@ -129,7 +129,7 @@ TEST(MotionExact, PlantedAvalanches) {
     grains.erase(grains.begin() + static_cast<std::ptrdiff_t>(place(3, true, 9)));
   }
 
-  const auto motion = read_motion(story.track, Box<2>{}, settings());
+  const auto motion = measure_motion(story.track, Box<2>{}, settings());
   ASSERT_EQ(motion.rows.size(), 11U);
   const std::vector<std::size_t> moved{0, 4, 3, 0, 10, 0, 2, 0, 0, 0, 3};
   const std::vector<std::size_t> moved_left{0, 0, 1, 0, 10, 0, 0, 0, 0, 0, 0};
@@ -180,7 +180,7 @@ TEST(MotionExact, PlantedBursts) {
   heat(9, 6, 100.0F);  // has lost touch
   story.track[9].grains[6].in_heap = false;
   heat(11, 0, 5.0F);
-  const auto motion = read_motion(story.track, Box<2>{}, settings());
+  const auto motion = measure_motion(story.track, Box<2>{}, settings());
   ASSERT_EQ(motion.rows.size(), 11U);
   const std::vector<double> energy{0.0, 3.0, 2.0, 0.0, 2.5, 4.0, 0.0, 0.0, 0.0, 0.0, 5.0};
   for (std::size_t k = 0; k < 11; ++k) EXPECT_EQ(motion.rows[k].kinetic_energy, energy[k]) << k;
@@ -211,7 +211,7 @@ TEST(MotionExact, DepthAtTheStartAnglesAtTheEnd) {
   chosen.base_height = 1.0;
   chosen.moved = 9.6;  // only the lowest disc of the right flank goes 10
   chosen.least = 1;
-  const auto motion = read_motion(track, Box<2>{}, chosen);
+  const auto motion = measure_motion(track, Box<2>{}, chosen);
   ASSERT_EQ(motion.rows.size(), 1U);
   EXPECT_NEAR(motion.rows[0].angle_left_deg, 60.0, single);
   EXPECT_NEAR(motion.rows[0].angle_right_deg, std::atan(row_height) * degrees, single);
@@ -230,7 +230,7 @@ TEST(MotionExact, AcrossTheSideOfAPeriodicBox) {
   box.periodic = true;
   box.x_min = 0.0;
   box.x_max = 10.0;
-  const auto motion = read_motion(track, box, settings());
+  const auto motion = measure_motion(track, box, settings());
   ASSERT_EQ(motion.rows.size(), 1U);
   EXPECT_EQ(motion.rows[0].grains, 2U);
   EXPECT_EQ(motion.rows[0].moved, 1U);
@@ -243,7 +243,7 @@ TEST(MotionExact, AcrossTheSideOfAPeriodicBox) {
 TEST(MotionExact, DepthIsNeverNegative) {
   const Track track{{0.0, {tracked(1, 1.9, 9.5), tracked(2, 3.0, 0.5)}},
                     {interval, {tracked(1, 5.0, 0.5), tracked(2, 3.0, 0.5)}}};
-  const auto motion = read_motion(track, Box<2>{}, settings());
+  const auto motion = measure_motion(track, Box<2>{}, settings());
   ASSERT_EQ(motion.rows.size(), 1U);
   EXPECT_EQ(motion.rows[0].moved, 1U);
   EXPECT_EQ(motion.rows[0].depth, 0.0);
@@ -251,7 +251,7 @@ TEST(MotionExact, DepthIsNeverNegative) {
 
 // The first moment may have no heap, so no surface.
 TEST(MotionExact, NoHeapAtTheStart) {
-  const auto motion = read_motion({{0.0, {}}, {interval, pile()}}, Box<2>{}, settings());
+  const auto motion = measure_motion({{0.0, {}}, {interval, pile()}}, Box<2>{}, settings());
   ASSERT_EQ(motion.rows.size(), 1U);
   EXPECT_EQ(motion.rows[0].grains, 0U);
   EXPECT_TRUE(motion.avalanches.empty());

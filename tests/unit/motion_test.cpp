@@ -51,7 +51,7 @@ MotionSettings settings(std::size_t least) {
 }
 
 TEST(Motion, NothingMovesInAQuietPile) {
-  const auto motion = read_motion(quiet(), {}, settings(1));
+  const auto motion = measure_motion(quiet(), {}, settings(1));
   ASSERT_EQ(motion.rows.size(), 20U);
   EXPECT_TRUE(motion.avalanches.empty());
   EXPECT_TRUE(motion.bursts.empty());
@@ -75,7 +75,7 @@ TEST(Motion, PlantedAvalanchesAreFound) {
   push_right(track, 7, 2, 6, 0.8F);    // between 10 and 12
   push_right(track, 9, 5, 9, 0.45F);   // not far enough
   push_right(track, 11, 1, 12, 0.8F);  // too few
-  const auto motion = read_motion(track, {}, settings(2));
+  const auto motion = measure_motion(track, {}, settings(2));
   ASSERT_EQ(motion.avalanches.size(), 2U);
   const auto& first = motion.avalanches[0];
   EXPECT_EQ(first.start, 4.0);
@@ -96,7 +96,7 @@ TEST(Motion, AGrainThatMovesTwiceCountsOnce) {
   auto track = quiet();
   push_right(track, 4, 2, 3, 0.8F);
   push_right(track, 4, 2, 4, 0.8F);
-  const auto motion = read_motion(track, {}, settings(2));
+  const auto motion = measure_motion(track, {}, settings(2));
   ASSERT_EQ(motion.avalanches.size(), 1U);
   EXPECT_EQ(motion.avalanches[0].size, 2U);
   EXPECT_EQ(motion.avalanches[0].duration, 4.0);
@@ -105,7 +105,7 @@ TEST(Motion, AGrainThatMovesTwiceCountsOnce) {
 TEST(Motion, AnAvalancheMayGoOnAtTheEnd) {
   auto track = quiet();
   push_right(track, 4, 3, 20, 0.8F);
-  const auto motion = read_motion(track, {}, settings(3));
+  const auto motion = measure_motion(track, {}, settings(3));
   ASSERT_EQ(motion.avalanches.size(), 1U);
   EXPECT_EQ(motion.avalanches[0].end, 40.0);
 }
@@ -116,7 +116,7 @@ TEST(Motion, TheSideIsThatOfTheStart) {
     for (std::size_t k = 0; k < 4; ++k) track[m].grains[k].x -= 1.0F;  // bottom left corner
   }
   push_right(track, 0, 1, 5, 1.0F);
-  const auto motion = read_motion(track, {}, settings(5));
+  const auto motion = measure_motion(track, {}, settings(5));
   ASSERT_EQ(motion.avalanches.size(), 1U);
   EXPECT_DOUBLE_EQ(motion.avalanches[0].left, 0.8);
   EXPECT_EQ(motion.rows[4].moved_left, 4U);
@@ -128,7 +128,7 @@ TEST(Motion, DepthOfTheMovingLayer) {
   for (const int layers : {1, 3, 5}) {
     auto track = quiet();
     push_right(track, 6, layers, 7, 0.8F);
-    const auto motion = read_motion(track, {}, settings(1));
+    const auto motion = measure_motion(track, {}, settings(1));
     ASSERT_EQ(motion.avalanches.size(), 1U);
     EXPECT_NEAR(motion.avalanches[0].depth, (layers - 1) * rise + 1.0, 1.0) << layers;
   }
@@ -137,10 +137,10 @@ TEST(Motion, DepthOfTheMovingLayer) {
 TEST(Motion, DepthIsTheNinetiethPercentile) {
   auto track = quiet();
   push_right(track, 0, 10, 7, 0.8F);
-  const auto deepest_but_one = read_motion(track, {}, settings(1)).rows[6].depth;
+  const auto deepest_but_one = measure_motion(track, {}, settings(1)).rows[6].depth;
   auto other = quiet();
   push_right(other, 0, 9, 7, 0.8F);
-  const auto deepest = read_motion(other, {}, settings(1)).rows[6].depth;
+  const auto deepest = measure_motion(other, {}, settings(1)).rows[6].depth;
   EXPECT_DOUBLE_EQ(deepest_but_one, deepest);  // ranks 9 of 10 and 9 of 9
 }
 
@@ -158,7 +158,7 @@ TEST(Motion, GrainsThatLandOrLeaveDoNotCount) {
     if (m > 10) track[m].grains.back().y = track[10].grains.back().y;
   }
   track[15].grains.erase(track[15].grains.begin() + 3);
-  const auto motion = read_motion(track, {}, settings(1));
+  const auto motion = measure_motion(track, {}, settings(1));
   EXPECT_TRUE(motion.avalanches.empty());
   EXPECT_EQ(motion.rows[9].grains, 210U);  // was in flight at the start
   EXPECT_EQ(motion.rows[10].grains, 211U);
@@ -172,7 +172,7 @@ TEST(Motion, BurstsOfKineticEnergy) {
   for (const auto& [moment, energy] : {std::pair{4, 2.0F}, {5, 7.0F}, {9, 3.0F}}) {
     track[static_cast<std::size_t>(moment)].grains[17].kinetic_energy = energy;
   }
-  const auto motion = read_motion(track, {}, settings(1));
+  const auto motion = measure_motion(track, {}, settings(1));
   ASSERT_EQ(motion.bursts.size(), 2U);
   EXPECT_EQ(motion.bursts[0].start, 6.0);
   EXPECT_EQ(motion.bursts[0].end, 10.0);
@@ -193,14 +193,14 @@ TEST(Motion, PeriodicSide) {
   grain.in_heap = true;
   Track track = {{0.0, {grain}}, {1.0, {grain}}};
   track[1].grains[0].x = -9.9F;
-  EXPECT_EQ(read_motion(track, box, settings(1)).rows[0].moved, 0U);
+  EXPECT_EQ(measure_motion(track, box, settings(1)).rows[0].moved, 0U);
   track[1].grains[0].x = -9.0F;
-  EXPECT_EQ(read_motion(track, box, settings(1)).rows[0].moved, 1U);
+  EXPECT_EQ(measure_motion(track, box, settings(1)).rows[0].moved, 1U);
 }
 
 TEST(Motion, NoneWithoutATrack) {
-  EXPECT_TRUE(read_motion({}, {}, settings(1)).rows.empty());
-  EXPECT_TRUE(read_motion({pile(0.0)}, {}, settings(1)).rows.empty());
+  EXPECT_TRUE(measure_motion({}, {}, settings(1)).rows.empty());
+  EXPECT_TRUE(measure_motion({pile(0.0)}, {}, settings(1)).rows.empty());
 }
 
 }  // namespace

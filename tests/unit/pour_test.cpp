@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repose/run/sources/pour.hpp"
+#include "repose/simulation/sources/pour.hpp"
 
 #include "repose/scene/read.hpp"
 

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repose/run/setup.hpp"
-#include "repose/run/sources/rain.hpp"
-#include "repose/run/sources/room.hpp"
-#include "repose/run/sources/source.hpp"
+#include "repose/scene/geometry.hpp"
 #include "repose/scene/read.hpp"
+#include "repose/simulation/sources/initial.hpp"
+#include "repose/simulation/sources/rain.hpp"
+#include "repose/simulation/sources/room.hpp"
+#include "repose/simulation/sources/source.hpp"
 
 #include <gtest/gtest.h>
 

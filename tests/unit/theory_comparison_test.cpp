@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repose/run/theory_comparison.hpp"
-
+#include "repose/comparison/base_comparison.hpp"
+#include "repose/comparison/base_overlay.hpp"
 #include "repose/core/errors.hpp"
-#include "repose/run/summary.hpp"
-#include "repose/run/theory_overlay.hpp"
+#include "repose/results/summary.hpp"
 
 #include <gtest/gtest.h>
 

@@ -138,7 +138,7 @@ TEST(Wall, Material) {
   auto settings = settings_2d(1e-3, 1.0);
   settings.walls = {Wall<2>{.point = {}, .normal = {{0.0, 1.0}}, .material = 1}};
   const Law soft_wall{Hooke{500.0, 0.5}, Linear{0.5, 100.0, 0.1}};
-  SoftWorld<2, Law> world(soft::LawsOfMaterials<Law>({law, soft_wall, soft_wall, law}, 2), settings);
+  SoftWorld<2, Law> world(MaterialTable<Law>({law, soft_wall, soft_wall, law}, 2), settings);
   const auto grain = world.add({{0.0, 0.5}});
   world.advance(40000);
   EXPECT_NEAR(world[grain].position[1], 0.5 - 1.0 / 500.0, 1e-9);

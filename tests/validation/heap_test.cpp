@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repose/run/reading.hpp"
-#include "repose/run/simulation.hpp"
+#include "repose/results/results.hpp"
 #include "repose/scene/read.hpp"
+#include "repose/simulation/simulation.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -38,13 +38,13 @@ Heap pour(double spacing, std::int64_t seed) {
   Simulation simulation(read_scene_text(text, "heap"), 1);
   const std::atomic<bool> interrupt{false};
   simulation.run({}, interrupt);
-  const auto reading = read(simulation.record());
-  return {.angle = 0.5 * (reading.heap.left.value().angle_deg + reading.heap.right.value().angle_deg),
-          .moments = reading.heap.moments_angle_deg.value(),
-          .dip = reading.dip.value().index,
-          .coordination = reading.network.coordination.value(),
-          .overlap = reading.max_overlap,
-          .weight_error = reading.weight_error.value()};
+  const auto results = analyse(simulation.record());
+  return {.angle = 0.5 * (results.heap.left.value().angle_deg + results.heap.right.value().angle_deg),
+          .moments = results.heap.moments_angle_deg.value(),
+          .dip = results.dip.value().index,
+          .coordination = results.network.coordination.value(),
+          .overlap = results.max_overlap,
+          .weight_error = results.weight_error.value()};
 }
 
 std::vector<Heap> heaps(double spacing) {

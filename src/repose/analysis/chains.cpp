@@ -97,7 +97,7 @@ void measure(Chain& chain, const std::vector<std::size_t>& members, const Grains
 
 }  // namespace
 
-Chains read_chains(const Grains<2>& grains, const Contacts<2>& contacts, double threshold, const Box<2>& box) {
+Chains find_chains(const Grains<2>& grains, const Contacts<2>& contacts, double threshold, const Box<2>& box) {
   Places place;
   for (std::size_t k = 0; k < grains.size(); ++k) place.emplace(grains.id[k], k);
   const auto strong = strong_contacts(contacts, threshold);

@@ -29,6 +29,6 @@ struct Chains {
 /// that they share (fixed grains and planes, which everything stands on, do not link); forces that are not finite do
 /// not count. Their extent is measured along the contacts, so that a chain across the side of a periodic box is not as
 /// wide as the box.
-Chains read_chains(const Grains<2>& grains, const Contacts<2>& contacts, double threshold, const Box<2>& box);
+Chains find_chains(const Grains<2>& grains, const Contacts<2>& contacts, double threshold, const Box<2>& box);
 
 }  // namespace repose

@@ -7,9 +7,9 @@
 
 namespace repose {
 
-CoreRegion read_core(const Grains<2>& grains, const Contacts<2>& contacts, const HeapShape& heap,
-                     const std::vector<VoronoiCell>& cells, double base_height, double depth, double above_base,
-                     double threshold) {
+CoreRegion measure_core(const Grains<2>& grains, const Contacts<2>& contacts, const HeapShape& heap,
+                        const std::vector<VoronoiCell>& cells, double base_height, double depth, double above_base,
+                        double threshold) {
   CoreRegion core;
   if (heap.surface.empty()) return core;
   std::unordered_map<std::int64_t, std::size_t> place;

@@ -22,8 +22,8 @@ struct CoreRegion {
 /// The core: grains of the heap with closed cells whose centres lie at least `depth` [L] below the surface (at right
 /// angles to the flank on their side) and at least `above_base` [L] above the base centres. `threshold` [M L/T^2] is
 /// for the normal force of a contact that counts.
-CoreRegion read_core(const Grains<2>& grains, const Contacts<2>& contacts, const HeapShape& heap,
-                     const std::vector<VoronoiCell>& cells, double base_height, double depth, double above_base,
-                     double threshold);
+CoreRegion measure_core(const Grains<2>& grains, const Contacts<2>& contacts, const HeapShape& heap,
+                        const std::vector<VoronoiCell>& cells, double base_height, double depth, double above_base,
+                        double threshold);
 
 }  // namespace repose

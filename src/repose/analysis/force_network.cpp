@@ -22,8 +22,8 @@ std::unordered_map<std::int64_t, std::size_t> places(const Grains<D>& grains) {
 
 }  // namespace
 
-ForceNetwork read_force_network(const Grains<2>& grains, const Contacts<2>& contacts, const std::vector<bool>& in_heap,
-                                double threshold) {
+ForceNetwork measure_force_network(const Grains<2>& grains, const Contacts<2>& contacts,
+                                   const std::vector<bool>& in_heap, double threshold) {
   ForceNetwork network;
   const auto place = places(grains);
   std::vector<std::size_t> partners(grains.size(), 0);

@@ -21,8 +21,8 @@ struct ForceNetwork {
 };
 
 /// Contacts with normal force above `threshold` [M L/T^2] among the grains flagged `in_heap` and their surroundings.
-ForceNetwork read_force_network(const Grains<2>& grains, const Contacts<2>& contacts, const std::vector<bool>& in_heap,
-                                double threshold);
+ForceNetwork measure_force_network(const Grains<2>& grains, const Contacts<2>& contacts,
+                                   const std::vector<bool>& in_heap, double threshold);
 
 /// Mean magnitude of the net force on a moving grain over its own weight: 0 at rest, 1 in free fall. Computed from the
 /// contacts alone, apart from the method that moved the grains. Not a number without gravity.

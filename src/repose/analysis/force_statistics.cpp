@@ -28,7 +28,7 @@ double axis_deg(const Vec<2>& normal) {
 
 }  // namespace
 
-std::optional<ForceStatistics> read_force_statistics(const Contacts<2>& contacts, double threshold) {
+std::optional<ForceStatistics> measure_force_statistics(const Contacts<2>& contacts, double threshold) {
   std::vector<const Contact<2>*> counting;
   for (const auto& contact : contacts.list) {
     if (contact.normal_force > threshold && std::isfinite(contact.normal_force)) counting.push_back(&contact);
@@ -60,7 +60,7 @@ std::optional<ForceStatistics> read_force_statistics(const Contacts<2>& contacts
     const auto direction =
         std::min(static_cast<std::size_t>(axis_deg(contact->normal) / direction_width), direction_bins - 1);
     all[direction] += 1.0;
-    if (contact->normal_force * n > sum) {  // as in read_chains
+    if (contact->normal_force * n > sum) {  // as in find_chains
       strong[direction] += 1.0;
       statistics.strong_fraction += 1.0;
     }

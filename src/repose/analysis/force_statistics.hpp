@@ -27,6 +27,6 @@ struct ForceStatistics {
 
 /// None without a contact above `threshold` [M L/T^2]; forces that are not finite do not count. Bins of f are 0.1 wide,
 /// wider where the largest force would need more than 1000 of them.
-std::optional<ForceStatistics> read_force_statistics(const Contacts<2>& contacts, double threshold);
+std::optional<ForceStatistics> measure_force_statistics(const Contacts<2>& contacts, double threshold);
 
 }  // namespace repose

@@ -98,7 +98,8 @@ std::vector<bool> supported(const Grains<D>& grains, const Contacts<D>& contacts
 }
 
 template <int D>
-HeapShape read_heap(const Grains<D>& grains, const std::vector<bool>& in_heap, double base_height, double bin_width) {
+HeapShape measure_heap(const Grains<D>& grains, const std::vector<bool>& in_heap, double base_height,
+                       double bin_width) {
   std::map<long, double> highest;
   for (std::size_t k = 0; k < grains.size(); ++k) {
     if (!in_heap[k]) continue;
@@ -133,6 +134,6 @@ HeapShape read_heap(const Grains<D>& grains, const std::vector<bool>& in_heap, d
 }
 
 template std::vector<bool> supported(const Grains<2>&, const Contacts<2>&);
-template HeapShape read_heap(const Grains<2>&, const std::vector<bool>&, double, double);
+template HeapShape measure_heap(const Grains<2>&, const std::vector<bool>&, double, double);
 
 }  // namespace repose

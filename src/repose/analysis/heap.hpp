@@ -47,6 +47,6 @@ std::vector<bool> supported(const Grains<D>& grains, const Contacts<D>& contacts
 /// at its multiples; the height of a bin is the highest grain top above `base_height`; bins count while they follow on
 /// from the apex without a gap; least-squares line through the bins between 10 % and 90 % of the height of the apex.
 template <int D>
-HeapShape read_heap(const Grains<D>& grains, const std::vector<bool>& in_heap, double base_height, double bin_width);
+HeapShape measure_heap(const Grains<D>& grains, const std::vector<bool>& in_heap, double base_height, double bin_width);
 
 }  // namespace repose

@@ -33,7 +33,7 @@ HeapShape shape_of(const TrackMoment& moment, const MotionSettings& settings) {
     grains.add(grain, tracked.id);
     in_heap.push_back(tracked.in_heap);
   }
-  return read_heap(grains, in_heap, settings.base_height, settings.bin_width);
+  return measure_heap(grains, in_heap, settings.base_height, settings.bin_width);
 }
 
 /// Depth of a layer: the value of rank ceil(0.9 n); NaN without moves.
@@ -112,7 +112,7 @@ void add(std::vector<Event>& events, Event event) {
 
 }  // namespace
 
-Motion read_motion(const Track& track, const Box<2>& box, const MotionSettings& settings) {
+Motion measure_motion(const Track& track, const Box<2>& box, const MotionSettings& settings) {
   Motion motion;
   if (track.size() < 2) return motion;
   std::vector<std::vector<Move>> moves(track.size() - 1);

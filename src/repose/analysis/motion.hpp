@@ -17,7 +17,7 @@ struct MotionRow {
   std::size_t grains = 0;
   std::size_t moved = 0;        ///< farther than MotionSettings::moved
   std::size_t moved_left = 0;   ///< of those, left of the apex
-  double depth = 0.0;           ///< [L] of the moving layer, see read_motion; NaN if nothing moved
+  double depth = 0.0;           ///< [L] of the moving layer, see measure_motion; NaN if nothing moved
   double kinetic_energy = 0.0;  ///< [M L^2/T^2] at the end
   double angle_left_deg = 0.0;  ///< of the surface at the end; NaN where no line could be drawn
   double angle_right_deg = 0.0;
@@ -60,6 +60,6 @@ struct Motion {
 /// What moved in a heap while it grew. The depth of a move is that of the grain's lowest point below the surface, at
 /// right angles to the flank, at the start of the interval; the depth of a layer is the 90th percentile (the value of
 /// rank ceil(0.9 n)) of the moves in it.
-Motion read_motion(const Track& track, const Box<2>& box, const MotionSettings& settings);
+Motion measure_motion(const Track& track, const Box<2>& box, const MotionSettings& settings);
 
 }  // namespace repose

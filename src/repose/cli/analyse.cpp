@@ -3,11 +3,11 @@
 #include "repose/cli/commands.hpp"
 #include "repose/cli/describe.hpp"
 #include "repose/core/errors.hpp"
-#include "repose/run/folders.hpp"
-#include "repose/run/record_file.hpp"
-#include "repose/run/run_folder.hpp"
-#include "repose/run/sweep_folder.hpp"
+#include "repose/io/folders.hpp"
+#include "repose/record/record_file.hpp"
+#include "repose/run_folder/run_folder.hpp"
 #include "repose/scene/toml_file.hpp"
+#include "repose/sweep/sweep_folder.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -38,9 +38,9 @@ int act(const AnalyseOptions& options) {
     fmt::print(stderr, "{}/scene.toml: was changed since the run; its [analysis] is taken as it is now\n",
                options.folder);
   }
-  const auto reading = read(record);
-  write_reading(options.folder, record, reading);
-  if (!options.quiet) fmt::print("{}", describe_result(record, reading));
+  const auto results = analyse(record);
+  write_results(options.folder, record, results);
+  if (!options.quiet) fmt::print("{}", describe_result(record, results));
   return 0;
 }
 

@@ -42,7 +42,7 @@ int carry_out(Simulation& simulation, RunFolder& folder, bool quiet) {
   progress.finish();
   std::string result;
   folder.write(simulation, false,
-               [&](const Record& record, const Reading& reading) { result = describe_result(record, reading); });
+               [&](const Record& record, const Results& results) { result = describe_result(record, results); });
   if (simulation.status() == Status::failed) throw RunError(simulation.message());
   const bool stopped = simulation.status() == Status::interrupted;
   if (!quiet) {

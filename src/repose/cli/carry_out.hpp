@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/run/run_folder.hpp"
-#include "repose/run/simulation.hpp"
+#include "repose/run_folder/run_folder.hpp"
+#include "repose/simulation/simulation.hpp"
 
 namespace CLI {
 class App;

@@ -3,7 +3,7 @@
 #include "repose/cli/commands.hpp"
 #include "repose/cli/describe.hpp"
 #include "repose/cli/scene_options.hpp"
-#include "repose/run/expectation.hpp"
+#include "repose/simulation/expectation.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

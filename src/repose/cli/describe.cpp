@@ -3,9 +3,9 @@
 #include "repose/cli/describe.hpp"
 
 #include "repose/laws/impact.hpp"
-#include "repose/run/expectation.hpp"
-#include "repose/run/reading.hpp"
-#include "repose/run/setup.hpp"
+#include "repose/results/results.hpp"
+#include "repose/simulation/expectation.hpp"
+#include "repose/simulation/sources/initial.hpp"
 
 #include <fmt/format.h>
 
@@ -256,39 +256,39 @@ std::string describe_contacts(const Scene& scene) {
   return text + warnings;
 }
 
-std::string describe_result(const Record& record, const Reading& reading) {
+std::string describe_result(const Record& record, const Results& results) {
   const auto& facts = record.facts;
   std::string text = fmt::format(
       "stopped          {} (time {:.6g}, {} steps, {:.1f} s, {:.3g} grain-steps per second)\n", facts.message,
       facts.time, facts.steps, facts.wall_seconds, facts.grain_steps / std::max(facts.wall_seconds, 1e-9));
   text += fmt::format("grains           {} present, {} lost\n", moving_count(record.grains), facts.lost);
   text += describe_solver(record);
-  if (reading.packing) text += describe_packing(*reading.packing);
-  if (!reading.packing_problem.empty())
-    text += fmt::format("packing          not measured: {}\n", reading.packing_problem);
+  if (results.packing) text += describe_packing(*results.packing);
+  if (!results.packing_problem.empty())
+    text += fmt::format("packing          not measured: {}\n", results.packing_problem);
   if (record.scene.method.deposits()) {
     return text + fmt::format("deepest overlap  {:.2g} diameters; {} discs do not rest by the rule\n",
-                              reading.max_overlap, reading.breaking_rule);
+                              results.max_overlap, results.breaking_rule);
   }
-  const auto& heap = reading.heap;
+  const auto& heap = results.heap;
   const auto flank = [](const std::optional<FlankLine>& line) {
     return line ? fmt::format("{:.1f}", line->angle_deg) : std::string("-");
   };
   text += fmt::format("angle of repose  left {} right {} moments {} deg\n", flank(heap.left), flank(heap.right),
                       heap.moments_angle_deg ? fmt::format("{:.1f}", *heap.moments_angle_deg) : "-");
   text += fmt::format("coordination     {} (contacts above {:g} grain weights)\n",
-                      or_none(reading.network.coordination, "{:.3f}"), record.scene.analysis.force_threshold);
-  if (reading.core.grains > 0) {
-    text += fmt::format("core             {} grains, solid fraction {:.4f}, coordination {:.3f}\n", reading.core.grains,
-                        *reading.core.solid_fraction, *reading.core.coordination);
+                      or_none(results.network.coordination, "{:.3f}"), record.scene.analysis.force_threshold);
+  if (results.core.grains > 0) {
+    text += fmt::format("core             {} grains, solid fraction {:.4f}, coordination {:.3f}\n", results.core.grains,
+                        *results.core.solid_fraction, *results.core.coordination);
   }
-  text += fmt::format("deepest overlap  {:.4f} diameters\n", reading.max_overlap);
-  if (reading.dip) text += fmt::format("dip index        {:.3f}\n", reading.dip->index);
-  if (!reading.motion.rows.empty()) {
-    text += fmt::format("avalanches       {} of at least {} grains in {} intervals\n", reading.motion.avalanches.size(),
-                        record.scene.analysis.avalanche, reading.motion.rows.size());
+  text += fmt::format("deepest overlap  {:.4f} diameters\n", results.max_overlap);
+  if (results.dip) text += fmt::format("dip index        {:.3f}\n", results.dip->index);
+  if (!results.motion.rows.empty()) {
+    text += fmt::format("avalanches       {} of at least {} grains in {} intervals\n", results.motion.avalanches.size(),
+                        record.scene.analysis.avalanche, results.motion.rows.size());
   }
-  text += fmt::format("weight error     {}\n", or_none(reading.weight_error, "{:.2e}"));
+  text += fmt::format("weight error     {}\n", or_none(results.weight_error, "{:.2e}"));
   return text;
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/run/reading.hpp"
-#include "repose/run/record.hpp"
+#include "repose/record/record.hpp"
+#include "repose/results/results.hpp"
 #include "repose/scene/scene.hpp"
 
 #include <string>
@@ -17,6 +17,6 @@ std::string describe(const Scene& scene);
 std::string describe_contacts(const Scene& scene);
 
 /// What came out, in a few lines.
-std::string describe_result(const Record& record, const Reading& reading);
+std::string describe_result(const Record& record, const Results& results);
 
 }  // namespace repose

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/run_folder/export.hpp"
+
 #include "repose/cli/commands.hpp"
-#include "repose/run/exporting.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/cli/commands.hpp"
 #include "repose/cli/python.hpp"
+#include "repose/comparison/base_overlay.hpp"
 #include "repose/core/errors.hpp"
-#include "repose/run/theory_overlay.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

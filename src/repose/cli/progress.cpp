@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/cli/progress.hpp"
 
-#include "repose/run/expectation.hpp"
+#include "repose/simulation/expectation.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

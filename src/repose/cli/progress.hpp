@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/run/simulation.hpp"
+#include "repose/simulation/simulation.hpp"
 
 #include <chrono>
 #include <string>

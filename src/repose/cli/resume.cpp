@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/run_folder/resume.hpp"
+
 #include "repose/cli/carry_out.hpp"
 #include "repose/cli/commands.hpp"
 #include "repose/core/errors.hpp"
-#include "repose/run/resuming.hpp"
-#include "repose/run/sweep_folder.hpp"
+#include "repose/sweep/sweep_folder.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

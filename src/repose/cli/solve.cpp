@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/cli/commands.hpp"
+#include "repose/contact_problem/contact_solution.hpp"
 #include "repose/core/errors.hpp"
-#include "repose/run/contact_solution.hpp"
-#include "repose/run/folders.hpp"
+#include "repose/io/folders.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repose/run/sweep.hpp"
+#include "repose/sweep/sweep.hpp"
 
 #include "repose/cli/commands.hpp"
 #include "repose/cli/signals.hpp"

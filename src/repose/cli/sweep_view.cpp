@@ -3,7 +3,7 @@
 #include "repose/cli/sweep_view.hpp"
 
 #include "repose/cli/progress.hpp"
-#include "repose/run/expectation.hpp"
+#include "repose/simulation/expectation.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/run/sweep.hpp"
+#include "repose/sweep/sweep.hpp"
 
 #include <chrono>
 #include <map>

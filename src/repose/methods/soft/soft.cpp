@@ -11,7 +11,7 @@ namespace {
 
 /// The table as laws of one fused kernel, if every pair of materials is made of these two and nothing else.
 template <class Normal, class Tangential>
-std::optional<soft::LawsOfMaterials<PairLaw<Normal, Tangential>>> fused(const MaterialLaws& laws) {
+std::optional<MaterialTable<PairLaw<Normal, Tangential>>> fused(const MaterialLaws& laws) {
   std::vector<PairLaw<Normal, Tangential>> table;
   for (const auto& pair : laws.table) {
     const auto* normal = std::get_if<Normal>(&pair.normal);
@@ -21,7 +21,7 @@ std::optional<soft::LawsOfMaterials<PairLaw<Normal, Tangential>>> fused(const Ma
     if (normal == nullptr || tangential == nullptr || !plain) return std::nullopt;
     table.push_back({*normal, *tangential, {}, {}});
   }
-  return soft::LawsOfMaterials<PairLaw<Normal, Tangential>>(std::move(table), laws.materials);
+  return MaterialTable<PairLaw<Normal, Tangential>>(std::move(table), laws.materials);
 }
 
 /// The combinations that people run all the time have kernels of their own: the first that fits is taken.
@@ -47,8 +47,7 @@ std::unique_ptr<Method<D>> make_soft(const MaterialLaws& laws, const SoftSetting
   }
   std::vector<AnyPairLaw> table;
   for (const auto& pair : laws.table) table.push_back(any_pair_law(pair));
-  return std::make_unique<Soft<D, AnyPairLaw>>(soft::LawsOfMaterials<AnyPairLaw>(std::move(table), laws.materials),
-                                               settings);
+  return std::make_unique<Soft<D, AnyPairLaw>>(MaterialTable<AnyPairLaw>(std::move(table), laws.materials), settings);
 }
 
 template std::unique_ptr<Method<2>> make_soft(const MaterialLaws&, const SoftSettings<2>&);

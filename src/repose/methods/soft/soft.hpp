@@ -24,7 +24,7 @@ namespace repose {
 template <int D, class Law, bool Full = std::is_same_v<Law, AnyPairLaw>>
 class Soft final : public Method<D> {
  public:
-  Soft(soft::LawsOfMaterials<Law> laws, SoftSettings<D> settings)
+  Soft(MaterialTable<Law> laws, SoftSettings<D> settings)
       : laws_(std::move(laws)),
         settings_(std::move(settings)),
         pairs_(PairReach{widest_reach(), settings_.skin, look_ahead_steps * settings_.time_step,
@@ -236,13 +236,13 @@ class Soft final : public Method<D> {
   template <class Use>
   void for_every_contact(const Grains<D>& grains, double back, const Use& use) const;
 
-  soft::LawsOfMaterials<Law> laws_;
+  MaterialTable<Law> laws_;
   SoftSettings<D> settings_;
   PairList<D> pairs_;
   long step_ = 0;
   std::vector<WallState> walls_;
   std::vector<WallState> walls_at_build_;
-  soft::WallList<D> wall_list_;
+  WallList<D> wall_list_;
   std::vector<Load<D>> loads_;
   std::vector<double> load_work_;             // [M L^2/T^2] per load
   std::vector<soft::LoadedGrain<D>> loaded_;  // of the present list

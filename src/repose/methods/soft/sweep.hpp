@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/laws/material_table.hpp"
 #include "repose/methods/soft/audit.hpp"
-#include "repose/methods/soft/laws_of_materials.hpp"
 #include "repose/methods/soft/partition.hpp"
 #include "repose/methods/soft/settings.hpp"
-#include "repose/methods/soft/wall_list.hpp"
+#include "repose/methods/wall_list.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -23,7 +23,7 @@ namespace repose::soft {
 /// What one sweep works on.
 template <int D, class Law>
 struct SweepInput {
-  const LawsOfMaterials<Law>& laws;
+  const MaterialTable<Law>& laws;
   const SoftSettings<D>& settings;
   PairList<D>& pairs;
   WallList<D>& walls;

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/contact_problem/contact_problem.hpp"
+
+#include "repose/core/errors.hpp"
+#include "repose/methods/contact_dynamics/contact_dynamics.hpp"
+#include "repose/scene/geometry.hpp"
+#include "repose/simulation/methods.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace repose {
+
+namespace {
+
+void check(const Record& record) {
+  const auto& scene = record.scene;
+  const auto walls = make_walls(scene);
+  std::vector<std::string> problems;
+  const auto refuse = [&](const std::string& why) { problems.push_back("no contact problem: " + why); };
+  if (!scene.method.rigid()) {
+    refuse(fmt::format("the method of the run is {}, and only contact-dynamics has one", scene.method.kind));
+  }
+  if (record.facts.status == Status::failed) refuse("the run failed: its last state is not to be trusted");
+  if (std::any_of(walls.begin(), walls.end(),
+                  [](const auto& w) { return w.motion.kind != WallMotion<2>::Kind::none; })) {
+    refuse("a wall moves; the file is for walls that stand still");
+  }
+  if (!scene.loads.empty()) refuse("the scene has loads, which the file does not hold");
+  if (!problems.empty()) throw InputError(problems);
+}
+
+}  // namespace
+
+ContactProblem next_contact_problem(Record record) {
+  check(record);
+  const auto method = make_method(record.scene);
+  auto& dynamics = dynamic_cast<ContactDynamics<2>&>(*method);
+  auto& grains = record.grains;
+  Team team(1);
+  dynamics.refresh(grains, team);
+  dynamics.set_histories(grains, record.contacts);
+
+  ContactProblem posed;
+  posed.title = record.scene.title;
+  posed.time = record.facts.time;
+  posed.time_step = record.facts.time_step;
+  posed.problem = dynamics.problem_after(record.facts.steps, grains, team);
+  for (std::size_t k = 0; k < grains.size(); ++k) {
+    posed.places.push_back({grains.id[k], grains.line[k].radius, grains.line[k].position});
+  }
+  const auto walls = make_walls(record.scene);
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    posed.places.push_back({plane_partner(static_cast<std::int64_t>(w)), 0.0, walls[w].point});
+  }
+  return posed;
+}
+
+}  // namespace repose

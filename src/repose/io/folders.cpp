@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/io/folders.hpp"
+
+#include "repose/core/errors.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <thread>
+
+namespace fs = std::filesystem;
+
+namespace repose {
+
+bool is_there(const fs::path& path) {
+  std::error_code error;
+  return fs::exists(path, error);
+}
+
+fs::path existing_ancestor(fs::path path) {
+  path = fs::absolute(path);
+  while (!is_there(path) && path.has_relative_path()) path = path.parent_path();
+  return path;
+}
+
+std::vector<std::string> folder_problems(const std::string& path) {
+  std::error_code error;
+  const bool there = fs::exists(path, error);
+  if (error) return {fmt::format("{}: cannot write a run here: {}", path, error.message())};
+  if (there) {
+    if (!fs::is_directory(path)) return {fmt::format("{}: cannot write a run here: is a file", path)};
+    if (::access(path.c_str(), W_OK | X_OK | R_OK) != 0) {
+      return {fmt::format("{}: cannot write a run here: {}", path, std::strerror(errno))};
+    }
+    return {};
+  }
+  const auto parent = existing_ancestor(path);
+  if (!fs::is_directory(parent)) {
+    return {fmt::format("{}: cannot write a run here: {} is a file", path, parent.string())};
+  }
+  if (::access(parent.c_str(), W_OK | X_OK) != 0) {
+    return {fmt::format("{}: cannot write a run here: {}: {}", path, parent.string(), std::strerror(errno))};
+  }
+  return {};
+}
+
+FolderLock::FolderLock(const std::string& path, double patience)
+    : descriptor_(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (descriptor_ < 0 && (errno == ENOENT || errno == ENOTDIR)) {
+    throw InputError(fmt::format("{}: no such folder", path));
+  }
+  if (descriptor_ < 0) throw InputError(fmt::format("{}: cannot be opened: {}", path, std::strerror(errno)));
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<double>(patience);
+  do {
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
+      return;  // not every file system has locks
+    if (patience > 0.0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  } while (Clock::now() < end);
+  ::close(descriptor_);
+  throw InputError(fmt::format("{}: a run is being written here by another program", path));
+}
+
+FolderLock::~FolderLock() { ::close(descriptor_); }
+
+}  // namespace repose

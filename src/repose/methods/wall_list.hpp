@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/boundaries/wall.hpp"
+#include "repose/core/archive.hpp"
+#include "repose/core/box.hpp"
+#include "repose/core/grains.hpp"
+#include "repose/neighbours/pair_list.hpp"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace repose {
+
+/// A grain and a wall that may touch before the list is next built.
+template <int D>
+struct WallPair {
+  std::uint32_t wall = 0;
+  Tangent<D> slip{};     ///< [L] history, zero when apart
+  Tangent<D> roll{};     ///< [L]
+  Vec<D> force{};        ///< [M L/T^2] on the grain in the last step
+  Vec<D> dissipative{};  ///< [M L/T^2] of that, by dashpot and friction; kept by a full kernel
+  Vec<D> impulse{};      ///< [M L/T] on the grain since it was last taken up
+};
+
+/// Pairs of grains and walls, for each grain in memory order: built with the pair list and valid as long.
+template <int D>
+class WallList {
+ public:
+  std::vector<std::uint32_t> row_start;  ///< (n + 1); empty without walls
+  std::vector<WallPair<D>> pairs;
+  std::vector<std::vector<std::uint32_t>> of_wall;  ///< places in `pairs`, ascending, for each wall
+
+  explicit WallList(std::size_t walls) : of_wall(walls) {}
+
+  bool any() const { return !row_start.empty(); }
+
+  /// Lists anew. `order` says where each grain was when the list was last built; `cutoff` is the longest reach of a
+  /// normal law; a wall may go half a skin before the next build, as a grain may.
+  void build(const Grains<D>& grains, const std::vector<std::uint32_t>& order, const std::vector<Wall<D>>& walls,
+             const std::vector<WallNow<D>>& now, const Box<D>& box, const PairList<D>& list, double cutoff,
+             double skin) {
+    if (walls.empty()) return;
+    take_impulses(walls.size());
+    const auto old_start = std::move(row_start);
+    const auto old = std::move(pairs);
+    row_start.assign(1, 0);
+    pairs.clear();
+    of_wall.assign(walls.size(), {});
+    for (std::size_t i = 0; i < grains.size(); ++i) {
+      const auto& grain = grains.line[i];
+      for (std::uint32_t w = 0; w < walls.size() && !grain.fixed(); ++w) {
+        if (!now[w].there) continue;
+        const auto& wall = walls[w];
+        const Vec<D> from_point =
+            wall.finite() ? separation(grain.position, now[w].point, box) : Vec<D>(grain.position - now[w].point);
+        const double within = (wall.smooth ? 2.0 * cutoff : 2.0 * cutoff - 1.0) * grain.radius;
+        if (above(wall, from_point).height >= within + 0.5 * skin + list.allowance(i)) continue;
+        of_wall[w].push_back(static_cast<std::uint32_t>(pairs.size()));
+        pairs.push_back(old_pair(old_start, old, order[i], w));
+      }
+      row_start.push_back(static_cast<std::uint32_t>(pairs.size()));
+    }
+  }
+
+  void exchange(Archive& archive) {
+    archive.array("walls/row_start", row_start);
+    archive.array("walls/pairs", pairs);
+    archive.array("walls/impulse", impulse_);
+    if (!archive.restoring()) return;
+    for (auto& list : of_wall) list.clear();
+    for (std::uint32_t k = 0; k < pairs.size(); ++k) {
+      archive.check("walls/pairs", pairs[k].wall < of_wall.size());
+      of_wall[pairs[k].wall].push_back(k);
+    }
+  }
+
+  /// Impulse of the grains on each wall [M L/T] since this was last called, and starts anew.
+  std::vector<Vec<D>> taken_impulses(std::size_t walls) {
+    take_impulses(walls);
+    return std::exchange(impulse_, std::vector<Vec<D>>(walls));
+  }
+
+ private:
+  static WallPair<D> old_pair(const std::vector<std::uint32_t>& start, const std::vector<WallPair<D>>& old,
+                              std::uint32_t row, std::uint32_t wall) {
+    if (row + 1 < start.size()) {
+      for (auto k = start[row]; k < start[row + 1]; ++k) {
+        if (old[k].wall == wall) return {wall, old[k].slip, old[k].roll, {}, {}, {}};
+      }
+    }
+    return {wall, {}, {}, {}, {}, {}};
+  }
+
+  void take_impulses(std::size_t walls) {
+    impulse_.resize(walls);
+    for (auto& pair : pairs) {
+      impulse_[pair.wall] -= pair.impulse;
+      pair.impulse = {};
+    }
+  }
+
+  std::vector<Vec<D>> impulse_;  // on each wall
+};
+
+}  // namespace repose

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/io/hdf5_reader.hpp"
+#include "repose/record/record.hpp"
+
+#include <string>
+#include <vector>
+
+namespace repose {
+
+/// Writes run.h5; `frames` and `segments` name the files in frames/ and track/ that it links. The layout is described
+/// in docs/reference/run-folder.md. Throws RunError.
+void write_record(const std::string& path, const Record& record, const std::vector<std::string>& frames,
+                  const std::vector<std::string>& segments);
+
+/// Writes a segment of the track: the moments from `first` on. Throws RunError.
+void write_track_segment(const std::string& path, const Track& track, std::size_t first);
+
+/// Adds the moments of a segment to a track. Throws InputError.
+void read_track_segment(const std::string& path, Track& track);
+
+/// The header of a run.h5: how far the run came. Throws InputError.
+RunFacts read_run_facts(const std::string& folder);
+
+/// Text of the scene of a run.h5, as it was run. Throws InputError.
+std::string read_run_scene(const std::string& folder);
+
+/// The last state of a run folder: the record without series, base and track. Throws as read_record does.
+Record read_last_state(const std::string& folder);
+
+/// Reads scene.toml and run.h5 of a run folder. Throws InputError if there is none or it is damaged.
+Record read_record(const std::string& folder);
+
+/// The base profile of a run.h5; empty where there is none. Throws InputError.
+BaseProfile read_base(const Hdf5Reader& file);
+
+}  // namespace repose

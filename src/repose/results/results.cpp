@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/results/results.hpp"
+
+#include "repose/analysis/sticking_rule.hpp"
+#include "repose/scene/geometry.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace repose {
+
+namespace {
+
+/// The core begins this far above the base centres: the base orders the layers below.
+constexpr double core_above_base = 2.0;  // diameters
+
+std::vector<Edge> edges_of(const Scene& scene) {
+  std::vector<Edge> edges;
+  for (const auto& plane : make_walls(scene)) edges.push_back({plane.point, plane.normal});
+  return edges;
+}
+
+MotionSettings motion_settings(const Scene& scene, double base_height) {
+  MotionSettings settings;
+  settings.moved = scene.analysis.moved;
+  settings.least = static_cast<std::size_t>(scene.analysis.avalanche);
+  settings.burst = scene.analysis.burst * scene.grain_weight() * scene.grains.diameter;
+  settings.base_height = base_height;
+  settings.bin_width = scene.analysis.bin_width;
+  return settings;
+}
+
+PackingOptions packing_options(const Scene& scene) {
+  const auto& analysis = scene.analysis;
+  PackingOptions options;
+  options.slab = {.low = analysis.slab[0], .high = analysis.slab[1], .base_height = std::nullopt};
+  options.gap = analysis.contact_gap;
+  options.directions = static_cast<std::size_t>(analysis.direction_bins);
+  options.correlations = analysis.correlations;
+  options.structure = analysis.structure_factor;
+  options.local_density = analysis.local_density;
+  if (!scene.method.deposits()) return options;
+  options.slab.base_height = 0.0;
+  // Base discs lie on the floor too, and are neighbours already.
+  options.planes.floor = -0.5 * scene.grains.diameter;
+  if (scene.box.x == "walls") {
+    options.planes.left = -scene.box.half_width;
+    options.planes.right = scene.box.half_width;
+  }
+  return options;
+}
+
+void measure_packing(const Record& record, Results& results) {
+  const auto& scene = record.scene;
+  const auto box = make_box(scene);
+  const auto discs = discs_of(record.grains, box);
+  const auto options = packing_options(scene);
+  auto result = analyse_packing(discs, box, options);
+  results.packing = std::move(result.packing);
+  results.packing_problem = std::move(result.problem);
+  if (!results.packing) return;
+  const auto& graph = result.graph;
+  for (std::size_t k = 0; k < discs.size(); ++k) {
+    results.neighbours.push_back(static_cast<std::int64_t>(graph.degree(k)));
+  }
+  if (!scene.method.deposits()) return;
+  results.max_overlap = deepest_overlap(discs, box, graph);
+  const auto breaks = breaks_sticking_rule(discs, box, graph, options.planes, options.gap, scene.method.critical_angle);
+  results.breaking_rule = std::count(breaks.begin(), breaks.end(), 1);
+}
+
+/// Of grains that were put there by geometry: there are no forces to speak of.
+Results analyse_deposition(const Record& record) {
+  Results results;
+  measure_packing(record, results);
+  return results;
+}
+
+}  // namespace
+
+Results analyse(const Record& record) {
+  if (record.scene.method.deposits()) return analyse_deposition(record);
+  const auto& scene = record.scene;
+  const auto& grains = record.grains;
+  const auto& contacts = record.contacts;
+  const auto box = make_box(scene);
+  const double threshold = scene.analysis.force_threshold * scene.grain_weight();
+  Results results;
+  const auto in_heap = supported(grains, contacts);
+  results.heap = measure_heap(grains, in_heap, results.base_height, scene.analysis.bin_width);
+  results.network = measure_force_network(grains, contacts, in_heap, threshold);
+  results.max_overlap = max_overlap(contacts);
+  results.dip = base_dip(record.base);
+  if (results.dip) results.base_scatter = base_scatter(record.base, results.dip->centre, results.dip->half_width);
+  results.base = binned(record.base, scene.analysis.base_bin);
+  double mass = 0.0;
+  for (std::size_t k = 0; k < grains.size(); ++k) {
+    if (in_heap[k]) mass += grains.line[k].mass;
+  }
+  const double weight = mass * scene.gravity;
+  if (weight > 0.0) results.weight_error = record.facts.support_force / weight - 1.0;
+
+  results.cells = voronoi(grains, in_heap, edges_of(scene), box);
+  results.core = measure_core(grains, contacts, results.heap, results.cells, results.base_height,
+                              scene.analysis.core_depth, core_above_base * scene.grains.diameter, threshold);
+  results.forces = measure_force_statistics(contacts, threshold);
+  results.chains = find_chains(grains, contacts, threshold, box);
+  results.fields = coarse_grained(grains, contacts, in_heap, box, scene.analysis.field_width);
+  if (mass > 0.0 && !results.fields.density.empty()) {
+    double sum = 0.0;
+    for (const double density : results.fields.density) sum += density;
+    results.field_weight_error = sum * results.fields.cell * results.fields.cell / mass - 1.0;
+  }
+  results.motion = measure_motion(record.track, box, motion_settings(scene, results.base_height));
+  if (scene.analysis.packing) measure_packing(record, results);
+  return results;
+}
+
+}  // namespace repose

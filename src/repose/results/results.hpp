@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/analysis/base_profile.hpp"
+#include "repose/analysis/chains.hpp"
+#include "repose/analysis/core_region.hpp"
+#include "repose/analysis/fields.hpp"
+#include "repose/analysis/force_network.hpp"
+#include "repose/analysis/force_statistics.hpp"
+#include "repose/analysis/heap.hpp"
+#include "repose/analysis/motion.hpp"
+#include "repose/analysis/packing.hpp"
+#include "repose/analysis/voronoi.hpp"
+#include "repose/record/record.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace repose {
+
+/// Everything that the analysis says of a run.
+struct Results {
+  HeapShape heap;
+  ForceNetwork network;
+  std::optional<BaseDip> dip;
+  std::optional<double> base_scatter;
+  BinnedProfile base;
+  double max_overlap = 0.0;            ///< over the mean diameter of the pair
+  double base_height = 0.0;            ///< [L]
+  std::optional<double> weight_error;  ///< vertical force on the supports over the weight they carry, less 1
+  std::vector<VoronoiCell> cells;
+  CoreRegion core;
+  std::optional<ForceStatistics> forces;
+  Chains chains;
+  Fields fields;
+  std::optional<double> field_weight_error;  ///< integral of the density field over the mass of the heap, less 1
+  Motion motion;
+  std::optional<Packing> packing;
+  std::string packing_problem;  ///< why there is none although it was asked for
+  std::vector<std::int64_t>
+      neighbours;                  ///< touching grains of each grain, by its place in the record, with the packing
+  std::int64_t breaking_rule = 0;  ///< deposited discs that do not rest by the critical-angle rule
+};
+
+Results analyse(const Record& record);
+
+}  // namespace repose

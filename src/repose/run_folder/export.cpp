@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/run_folder/export.hpp"
+
+#include "repose/contact_problem/contact_problem.hpp"
+#include "repose/core/errors.hpp"
+#include "repose/io/csv_tables.hpp"
+#include "repose/io/exports.hpp"
+#include "repose/io/folders.hpp"
+#include "repose/io/state.hpp"
+#include "repose/record/record_file.hpp"
+#include "repose/run_folder/checkpoint.hpp"
+#include "repose/scene/geometry.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <utility>
+
+namespace fs = std::filesystem;
+
+namespace repose {
+
+namespace {
+
+/// The saved frames that run.h5 names; a frame that it does not name belongs to a run that was cut off.
+std::vector<std::string> frame_files(const ExportOrder& order) {
+  std::vector<std::string> files;
+  const Hdf5Reader run(order.folder + "/run.h5");
+  const auto groups = run.names_in("/");
+  if (!order.frames || std::find(groups.begin(), groups.end(), "frames") == groups.end()) return files;
+  std::vector<std::string> missing;
+  for (const auto& name : run.names_in("frames")) {
+    files.push_back(fmt::format("{}/frames/{}.h5", order.folder, name));
+    if (!is_there(files.back())) {
+      missing.push_back(fmt::format("{}: is missing; --frames last does without", files.back()));
+    }
+  }
+  if (!missing.empty()) throw InputError(missing);
+  return files;
+}
+
+Moment read_frame(const std::string& path) {
+  const Hdf5Reader file(path);
+  return {file.number("/", "time"), file.integer("/", "steps"), read_grains<2>(file), read_contacts<2>(file)};
+}
+
+/// Exports look up the grains that contacts name, and look no more whether they are there.
+void check_moment(const std::string& path, const Moment& moment) {
+  const auto& id = moment.grains.id;
+  const auto known = [&](std::int64_t k) { return std::binary_search(id.begin(), id.end(), k); };
+  const bool sound = std::is_sorted(id.begin(), id.end(), std::less_equal<>()) &&
+                     std::all_of(moment.contacts.list.begin(), moment.contacts.list.end(), [&](const auto& contact) {
+                       return known(contact.first) && (contact.second < 0 || known(contact.second));
+                     });
+  if (!sound) throw InputError(fmt::format("{}: contacts: names a grain that is not there", path));
+}
+
+using Use = std::function<void(const Moment&, std::size_t number)>;
+
+/// Goes through the saved frames, in order, and the last state, one at a time; returns how many these are.
+std::size_t for_every_moment(const ExportOrder& order, Record last, const Use& use) {
+  std::size_t number = 0;
+  for (const auto& path : frame_files(order)) {
+    const auto moment = read_frame(path);
+    if (moment.step >= last.facts.steps) break;  // the last state itself
+    check_moment(path, moment);
+    use(moment, number++);
+  }
+  use({last.facts.time, last.facts.steps, std::move(last.grains), std::move(last.contacts)}, number);
+  return number + 1;
+}
+
+void export_vtk(const ExportOrder& order, const std::string& folder, Exported& done) {
+  auto last = read_last_state(order.folder);
+  const auto box = make_box(last.scene);
+  std::vector<std::pair<double, std::string>> grains;
+  std::vector<std::pair<double, std::string>> contacts;
+  done.moments = for_every_moment(order, std::move(last), [&](const Moment& moment, std::size_t number) {
+    grains.emplace_back(moment.time, fmt::format("grains_{}.vtp", numbered(number)));
+    contacts.emplace_back(moment.time, fmt::format("contacts_{}.vtp", numbered(number)));
+    write_vtp(folder + "/" + grains.back().second, grains_for_vtk(moment));
+    write_vtp(folder + "/" + contacts.back().second, contacts_for_vtk(moment, box));
+  });
+  write_pvd(folder + "/grains.pvd", grains);
+  write_pvd(folder + "/contacts.pvd", contacts);
+  done.files = {"grains.pvd", "contacts.pvd"};
+}
+
+void export_ovito(const ExportOrder& order, const std::string& folder, Exported& done) {
+  auto last = read_last_state(order.folder);
+  const auto box = make_box(last.scene);
+  WholeFile grains(folder + "/grains.dump");
+  WholeFile contacts(folder + "/contacts.dump");
+  done.moments = for_every_moment(order, std::move(last), [&](const Moment& moment, std::size_t) {
+    add_grains_for_lammps(grains, moment, box);
+    add_contacts_for_lammps(contacts, moment, box);
+  });
+  grains.commit();
+  contacts.commit();
+  done.files = {"grains.dump", "contacts.dump"};
+}
+
+void export_csv(const ExportOrder& order, const std::string& folder, Exported& done) {
+  for (const auto* name : {"run.h5", "analysis.h5"}) {
+    const auto path = order.folder + "/" + name;
+    if (!is_there(path)) continue;  // nobody has analysed the run
+    const Hdf5Reader file(path);
+    const std::string prefix = file.text("/", "format") == "repose-run" ? "" : "analysis_";
+    for (const auto& table : csv_tables(file)) {
+      done.files.push_back(prefix + table.name + ".csv");
+      write_csv(folder + "/" + done.files.back(), file, table);
+    }
+  }
+  done.moments = 1;
+}
+
+void export_contact_problem(const ExportOrder& order, const std::string& folder, Exported& done) {
+  done.files = {"problem.h5"};
+  write_contact_problem(folder + "/" + done.files.front(), next_contact_problem(read_last_state(order.folder)));
+  done.moments = 1;
+}
+
+bool belongs_to_series(const std::string& name) {
+  return (name.starts_with("grains_") || name.starts_with("contacts_")) && name.ends_with(".vtp");
+}
+
+/// Moves the finished files to their place. Parts of an older series would be shown by nobody, but would stay.
+void move_in(const fs::path& from, const fs::path& to) {
+  std::set<std::string> written;
+  for (const auto& entry : fs::directory_iterator(from)) written.insert(entry.path().filename().string());
+  if (std::any_of(written.begin(), written.end(), belongs_to_series)) {
+    std::vector<fs::path> older;
+    for (const auto& entry : fs::directory_iterator(to)) {
+      if (belongs_to_series(entry.path().filename().string())) older.push_back(entry.path());
+    }
+    for (const auto& path : older) fs::remove(path);
+  }
+  for (const auto& name : written) fs::rename(from / name, to / name);
+}
+
+}  // namespace
+
+Exported export_run(const ExportOrder& order) {
+  std::error_code error;
+  if (!fs::is_directory(order.folder, error)) throw InputError(fmt::format("{}: no such folder", order.folder));
+  if (!is_there(order.folder + "/run.h5")) throw InputError(fmt::format("{}: holds no run: no run.h5", order.folder));
+  read_run_facts(order.folder);  // throws before anything is written
+  Exported done;
+  done.folder = order.out.empty() ? order.folder + "/export/" + order.to : order.out;
+  if (const auto problems = folder_problems(done.folder); !problems.empty()) throw InputError(problems);
+  const bool may_replace = order.overwrite || order.out.empty() || !is_there(done.folder);
+  if (!may_replace && !fs::is_empty(done.folder)) {
+    throw InputError(fmt::format("{}: folder is not empty; choose another --out, or --overwrite", done.folder));
+  }
+
+  const auto ancestor = existing_ancestor(done.folder);
+  const std::string beside = done.folder + "/.unfinished";
+  const auto undo = [&] {
+    fs::remove_all(beside, error);
+    for (auto made = fs::absolute(done.folder); made != ancestor && made.has_relative_path();
+         made = made.parent_path()) {
+      fs::remove(made, error);
+    }
+  };
+  try {
+    fs::create_directories(beside);
+    if (order.to == "vtk") export_vtk(order, beside, done);
+    if (order.to == "ovito") export_ovito(order, beside, done);
+    if (order.to == "csv") export_csv(order, beside, done);
+    if (order.to == "contact-problem") export_contact_problem(order, beside, done);
+    move_in(beside, done.folder);
+    fs::remove_all(beside);
+  } catch (const fs::filesystem_error& failure) {
+    undo();
+    throw RunError(fmt::format("{}: cannot write: {}", done.folder, failure.code().message()));
+  } catch (const RunError& failure) {
+    undo();
+    std::string why = failure.what();
+    if (why.starts_with(beside)) why.replace(0, beside.size(), done.folder);
+    throw RunError(why);
+  } catch (...) {
+    undo();
+    throw;
+  }
+  return done;
+}
+
+}  // namespace repose

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/run_folder/resume.hpp"
+
+#include "repose/core/errors.hpp"
+#include "repose/io/folders.hpp"
+#include "repose/record/record_file.hpp"
+#include "repose/results/summary.hpp"
+#include "repose/scene/read.hpp"
+#include "repose/scene/toml_file.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace repose {
+
+namespace {
+
+/// The status of run.h5. A file that cannot be read tells nothing; a checkpoint can do without it.
+Status status_in(const std::string& folder) {
+  try {
+    return read_run_facts(folder).status;
+  } catch (const InputError&) {
+    return Status::running;
+  }
+}
+
+/// The last file of a finished run is its summary. Where a kill came between run.h5 and that, what is missing is made.
+bool complete_analysis(const std::string& folder) {
+  const auto path = folder + "/summary.json";
+  if (is_there(path) && summary_status(text_of_file(path)) == status_text(Status::finished)) return false;
+  const auto record = read_record(folder);
+  write_results(folder, record, analyse(record));
+  return true;
+}
+
+}  // namespace
+
+InterruptedRun find_interrupted(const std::string& folder) {
+  InterruptedRun run;
+  run.lock = std::make_unique<FolderLock>(folder);
+  RunFolder::complete_start(folder);
+  for (const auto* name : {"scene.toml", "run.h5"}) {
+    if (!is_there(std::filesystem::path(folder) / name)) {
+      throw InputError(fmt::format("{}: holds no run: no {}", folder, name));
+    }
+  }
+  const auto status = status_in(folder);
+  if (status == Status::failed) {
+    throw InputError(fmt::format("{}: the run failed; there is nothing to go on with", folder));
+  }
+  if (status == Status::finished) {
+    run.finished = true;
+    run.completed = complete_analysis(folder);
+    remove_checkpoints(folder);
+    return run;
+  }
+  run.checkpoint = Checkpoint::latest(folder, run.damaged);
+  if (!run.checkpoint && !run.damaged.empty()) throw InputError(run.damaged);
+  const auto path = folder + "/scene.toml";
+  if (text_of_file(path) != (run.checkpoint ? run.checkpoint->scene() : read_run_scene(folder))) {
+    throw InputError(
+        fmt::format("{}: is not the scene of this run, which only goes on as it began (/scene of run.h5 and "
+                    "of the checkpoints has it)",
+                    path));
+  }
+  run.scene = read_scene(path);
+  return run;
+}
+
+std::unique_ptr<RunFolder> taken_up(const std::string& folder, InterruptedRun& run, Simulation& simulation) {
+  if (run.checkpoint) return std::make_unique<RunFolder>(folder, *run.checkpoint, simulation, std::move(run.lock));
+  return std::make_unique<RunFolder>(folder, simulation, std::move(run.lock));
+}
+
+}  // namespace repose

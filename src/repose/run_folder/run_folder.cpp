@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/run_folder/run_folder.hpp"
+
+#include "repose/core/errors.hpp"
+#include "repose/io/folders.hpp"
+#include "repose/io/hdf5_file.hpp"
+#include "repose/io/state.hpp"
+#include "repose/record/record_file.hpp"
+#include "repose/results/analysis_file.hpp"
+#include "repose/results/summary.hpp"
+#include "repose/scene/write.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+
+namespace fs = std::filesystem;
+
+namespace repose {
+
+namespace {
+
+constexpr const char* own_files[] = {"scene.toml", "run.h5", "analysis.h5", "summary.json"};
+constexpr const char* own_folders[] = {"frames", "track", "checkpoints", "export", "pictures"};
+
+/// Where a new start is written, and its name once it is whole.
+constexpr const char* unready = "new";
+constexpr const char* ready = "ready";
+
+bool holds_a_run(const fs::path& path) {
+  return is_there(path / ready) || (is_there(path / "scene.toml") && is_there(path / "run.h5"));
+}
+
+/// Empty but for a start that was cut off before it was whole.
+bool holds_nothing(const fs::path& path) {
+  return std::all_of(fs::directory_iterator(path), fs::directory_iterator{},
+                     [](const auto& entry) { return entry.path().filename() == unready; });
+}
+
+/// What the run of a folder starts from, under whatever ending.
+std::vector<fs::path> start_files(const fs::path& path) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(path)) {
+    if (entry.is_regular_file() && entry.path().stem() == "start") files.push_back(entry.path());
+  }
+  return files;
+}
+
+void clear_older_run(const fs::path& path) {
+  for (const auto* name : own_folders) fs::remove_all(path / name);
+  for (const auto* name : own_files) fs::remove(path / name);
+  for (const auto& file : start_files(path)) fs::remove(file);
+}
+
+}  // namespace
+
+std::vector<std::string> RunFolder::problems(const std::string& path, bool overwrite) {
+  auto found = folder_problems(path);
+  if (!found.empty() || !is_there(path) || holds_nothing(path)) return found;
+  if (!overwrite) return {fmt::format("{}: folder is not empty; choose another --out, or --overwrite", path)};
+  if (!holds_a_run(path)) {
+    return {fmt::format("{}: folder is not empty and holds no run, so --overwrite leaves it alone", path)};
+  }
+  return {};
+}
+
+void RunFolder::complete_start(const std::string& path) {
+  const auto start = fs::path(path) / ready;
+  if (!is_there(start)) return;
+  // An older run goes first, so that as long as nothing of the start has been moved, some of it may still be there.
+  if (std::all_of(std::begin(own_files), std::end(own_files), [&](auto* name) { return is_there(start / name); })) {
+    clear_older_run(path);
+  }
+  for (const auto* name : own_files) {
+    if (is_there(start / name)) fs::rename(start / name, fs::path(path) / name);
+  }
+  // What the run starts from last: were it there while the others are not, it would go with an older run.
+  for (const auto& file : start_files(start)) fs::rename(file, fs::path(path) / file.filename());
+  fs::remove_all(start);
+}
+
+RunFolder::RunFolder(std::string path, const Simulation& simulation, std::unique_ptr<FolderLock> lock)
+    : path_(std::move(path)), lock_(std::move(lock)) {
+  const auto ancestor = existing_ancestor(path_);
+  std::error_code error;
+  fs::create_directories(path_, error);
+  if (error) throw InputError(fmt::format("{}: cannot make the folder: {}", path_, error.message()));
+  if (!lock_) lock_ = std::make_unique<FolderLock>(path_);
+  // The new start is written beside an older run, which goes only when nothing can fail any more.
+  const std::string beside = path_ + "/" + unready;
+  const std::string whole = path_ + "/" + ready;
+  const std::string target = path_;
+  try {
+    for (const auto& remains : {beside, whole}) fs::remove_all(remains);
+    fs::create_directory(beside);
+    path_ = beside;
+    write_text_file(path_ + "/scene.toml", scene_text(simulation.scene()));
+    write_run(simulation.record());
+    const auto& start = simulation.scene().start;
+    if (!start.from.empty()) fs::copy_file(start.path, fs::path(beside) / start.from);
+    path_ = target;
+    fs::rename(beside, whole);
+    complete_start(path_);
+  } catch (const std::exception& failure) {
+    for (const auto& remains : {beside, whole}) fs::remove_all(remains, error);
+    for (auto made = fs::absolute(target); made != ancestor; made = made.parent_path()) fs::remove(made, error);
+    std::string why = failure.what();
+    if (why.starts_with(beside)) why.replace(0, beside.size(), target);
+    throw InputError(why);
+  }
+}
+
+RunFolder::RunFolder(std::string path, const Checkpoint& checkpoint, Simulation& simulation,
+                     std::unique_ptr<FolderLock> lock)
+    : path_(std::move(path)), lock_(std::move(lock)) {
+  const auto state = checkpoint.restore(simulation);
+  for (std::size_t k = 0; k < state.frames; ++k) frames_.push_back(numbered(k));
+  for (std::size_t k = 0; k < state.segments; ++k) segments_.push_back(numbered(k));
+  moments_written_ = state.moments;
+  next_slot_ = 1 - checkpoint.slot();
+}
+
+void RunFolder::pause(Simulation& simulation, bool last) {
+  constexpr double least_between = 100.0;  // times what a checkpoint costs, so that it costs less than 1 %
+  const double interval = simulation.scene().output.checkpoint;
+  const auto seconds_since = [](Clock::time_point time) {
+    return std::chrono::duration<double>(Clock::now() - time).count();
+  };
+  const double passed = seconds_since(last_pause_);
+  const bool due = interval > 0.0 && passed >= interval && passed >= least_between * cost_;
+  if (!due && !last) return;
+  const auto start = Clock::now();
+  write_checkpoint(path_, next_slot_, simulation, {frames_.size(), segments_.size(), moments_written_});
+  next_slot_ = 1 - next_slot_;
+  last_pause_ = Clock::now();
+  cost_ = seconds_since(start);
+}
+
+void RunFolder::write(const Simulation& simulation, bool frame, const Written& written) {
+  std::error_code error;
+  if (simulation.track().size() > moments_written_) {
+    fs::create_directories(path_ + "/track", error);
+    const auto name = numbered(segments_.size());
+    write_track_segment(fmt::format("{}/track/{}.h5", path_, name), simulation.track(), moments_written_);
+    moments_written_ = simulation.track().size();
+    segments_.push_back(name);
+  }
+  const auto record = simulation.record();
+  if (frame) {
+    fs::create_directories(path_ + "/frames", error);
+    const auto name = numbered(frames_.size());
+    Hdf5File file(fmt::format("{}/frames/{}.h5", path_, name));
+    file.attribute("/", "time", record.facts.time);
+    file.attribute("/", "steps", record.facts.steps);
+    write_grains(file, record.grains);
+    write_contacts(file, record.contacts);
+    file.commit();
+    frames_.push_back(name);
+  }
+  write_run(record, written);
+  if (simulation.status() == Status::finished || simulation.status() == Status::failed) remove_checkpoints(path_);
+}
+
+void RunFolder::write_run(const Record& record, const Written& written) {
+  write_record(path_ + "/run.h5", record, frames_, segments_);
+  const auto results = analyse(record);
+  write_results(path_, record, results);
+  if (written) written(record, results);
+}
+
+void write_results(const std::string& folder, const Record& record, const Results& results) {
+  write_analysis(folder + "/analysis.h5", record, results);
+  write_text_file(folder + "/summary.json", summary_text(record, results));
+}
+
+}  // namespace repose

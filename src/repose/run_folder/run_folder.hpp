@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/io/folders.hpp"
+#include "repose/results/results.hpp"
+#include "repose/run_folder/checkpoint.hpp"
+#include "repose/simulation/simulation.hpp"
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace repose {
+
+/// The folder that a run writes; see docs/reference/run-folder.md.
+class RunFolder {
+ public:
+  /// To be called with what was written.
+  using Written = std::function<void(const Record&, const Results&)>;
+
+  /// What stands in the way of writing a run here, one line each; nothing is touched.
+  static std::vector<std::string> problems(const std::string& path, bool overwrite);
+
+  /// Makes the folder (or clears an older run out of it) and writes scene.toml and the state at the start. Throws
+  /// InputError if that fails, and then leaves no half-written folder.
+  /// The lock of a folder that is held already is handed over.
+  RunFolder(std::string path, const Simulation& simulation, std::unique_ptr<FolderLock> lock = nullptr);
+
+  /// Takes up an older run where its checkpoint left it: `simulation` is given the state back.
+  RunFolder(std::string path, const Checkpoint& checkpoint, Simulation& simulation, std::unique_ptr<FolderLock> lock);
+
+  /// Moves a start that was written whole, but cut off before it was in its place, there; else does nothing. For the
+  /// holder of the lock.
+  static void complete_start(const std::string& path);
+
+  /// Writes a checkpoint if one is due, by wall time, or if the run is interrupted. Throws RunError; an older
+  /// checkpoint stays.
+  void pause(Simulation& simulation, bool last);
+
+  /// Writes the present state, what the analysis says of it, and a frame if asked. Throws RunError; what was there
+  /// before stays.
+  void write(const Simulation& simulation, bool frame, const Written& written = {});
+
+  const std::string& path() const { return path_; }
+
+ private:
+  void write_run(const Record& record, const Written& written = {});
+
+  using Clock = std::chrono::steady_clock;
+
+  std::string path_;
+  std::unique_ptr<FolderLock> lock_;
+  std::vector<std::string> frames_;
+  std::vector<std::string> segments_;  // of the track
+  std::size_t moments_written_ = 0;
+  int next_slot_ = 0;  // of the next checkpoint
+  Clock::time_point last_pause_ = Clock::now();
+  double cost_ = 0.0;  // [s] of the last checkpoint
+};
+
+/// Writes what the analysis says, analysis.h5 and then summary.json, into a run folder. Throws RunError.
+void write_results(const std::string& folder, const Record& record, const Results& results);
+
+}  // namespace repose

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/methods/method.hpp"
+#include "repose/scene/scene.hpp"
+
+#include <memory>
+
+namespace repose {
+
+/// The method of the scene, ready to run.
+std::unique_ptr<Method<2>> make_method(const Scene& scene);
+
+}  // namespace repose

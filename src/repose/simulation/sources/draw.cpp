@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/simulation/sources/draw.hpp"
+
+#include <cmath>
+
+namespace repose {
+
+GrainDraw::GrainDraw(const Scene& scene, Purpose species, Purpose size)
+    : seed_(static_cast<std::uint64_t>(scene.seed)),
+      species_(species),
+      size_(size),
+      diameter_(scene.grains.diameter),
+      polydispersity_(scene.grains.polydispersity) {
+  const double d = diameter_;
+  if (scene.species.empty()) {
+    kinds_.push_back({SizeDistribution::fixed(d), 0, scene.mass_of(d, "")});
+    return;
+  }
+  double sum = 0.0;
+  for (const auto& one : scene.species) {
+    const auto sizes = one.sizes.distribution();
+    const double mass = scene.mass_of(d, one.material);
+    // A share by mass is one by number over the mean mass.
+    sum += scene.grains.shares == "mass" ? one.share / (mass * sizes.mean_square() / (d * d)) : one.share;
+    kinds_.push_back({sizes, scene.material_number(one.material), mass, sum});
+  }
+  for (auto& kind : kinds_) kind.below /= sum;
+}
+
+DrawnGrain GrainDraw::operator()(std::uint64_t index) const {
+  std::size_t k = 0;
+  if (kinds_.size() > 1) {
+    const double u = uniform(seed_, species_, index);
+    while (k + 1 < kinds_.size() && u >= kinds_[k].below) ++k;
+  }
+  const auto& kind = kinds_[k];
+  double diameter = kind.sizes.quantile(uniform(seed_, size_, index));
+  if (polydispersity_ > 0.0) diameter = diameter_ * (1.0 - polydispersity_ * uniform(seed_, size_, index));
+  DrawnGrain drawn;
+  drawn.material = kind.material;
+  drawn.grain.radius = 0.5 * diameter;
+  drawn.grain.mass = kind.mass * std::pow(diameter / diameter_, 2);
+  drawn.grain.inverse_mass = 1.0 / drawn.grain.mass;
+  return drawn;
+}
+
+}  // namespace repose

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/simulation/sources/draw.hpp"
+#include "repose/simulation/sources/source.hpp"
+
+namespace repose {
+
+/// Grains that fall one by one from random places of a level line: number k is due at time k / rate. A grain whose
+/// place is taken tries others, and waits where there is none; the later ones wait behind it.
+class Drop : public Source {
+ public:
+  Drop(const Scene& scene, double time_step, std::int64_t first_id);
+
+  bool done() const override { return released_ == scene_.source.count; }
+  std::int64_t released() const override { return released_; }
+  std::int64_t count() const override { return scene_.source.count; }
+  long next_step() const override;
+  bool release(Grains<2>& grains, long step, const std::function<double()>& apex) override;
+  double waiting(long step) const override;
+  std::string buried() const override;
+  void exchange(Archive& archive) override;
+
+ protected:
+  /// Steps between the moments at which grains are let go; 1: each at its own.
+  virtual long every() const { return 1; }
+
+  const Scene& scene_;
+  double time_step_;
+
+ private:
+  double due() const { return static_cast<double>(released_) / scene_.source.rate; }
+
+  std::int64_t first_id_;
+  GrainDraw draw_;
+  double reach_ = 1.0;  // two grains act on each other within this times the sum of their radii
+  std::int64_t released_ = 0;
+  long retry_ = 0;           // step of the next try while waiting for room
+  long last_ = 0;            // step of the last release
+  std::uint32_t tries_ = 0;  // tries so far for the grain that is due
+};
+
+}  // namespace repose

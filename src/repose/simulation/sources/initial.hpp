@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/core/contacts.hpp"
+#include "repose/core/grains.hpp"
+#include "repose/scene/scene.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace repose {
+
+/// A grain of this diameter and material ("": the first) at rest at the origin.
+Grain<2> make_grain(const Scene& scene, double diameter, const std::string& material = "");
+
+/// The grains that exist at the start: the base first, by ascending x, then what the scene starts from, then a
+/// lattice, row by row, then the placed ones. Ids ascend.
+Grains<2> initial_grains(const Scene& scene);
+
+// The parts of these by origin, one source file each. `id` is that of the next grain to be added.
+
+/// Fixed grains of the base, by ascending x (base.cpp).
+void add_base(const Scene& scene, Grains<2>& grains, std::int64_t& id);
+
+/// What the scene starts from (start.cpp): grains of a run keep their ids, those of a file are numbered in its order.
+/// Throws InputError if it cannot be read any more.
+void add_start(const Scene& scene, Grains<2>& grains, std::int64_t& id);
+
+/// A lattice pile or a block, row by row (lattice.cpp).
+void add_lattice(const Scene& scene, Grains<2>& grains, std::int64_t& id);
+
+/// The contacts of the run that the scene starts from, between the walls of the present scene with the same names;
+/// empty where they mean nothing to the present law (start.cpp).
+Contacts<2> contacts_at_start(const Scene& scene);
+
+}  // namespace repose
