@@ -252,7 +252,7 @@ def test_analyse_of_a_sweep_makes_the_same_tables(sweep):
     "change, parts",
     [
         (("seeds = 3", "seeds = 0"), ["sweep.toml:3: seeds = 0: must be a whole number from 1"]),
-        (("seeds = 3", "seeds = [1, 1]"), ["sweep.toml:3: seeds: 1: is there twice"]),
+        (("seeds = 3", "seeds = [1, 1]"), ["sweep.toml:3: seeds: 1: is listed twice"]),
         (("seeds = 3", ""), ["seeds: missing"]),
         (("seeds = 3", "sedes = 3"), ["sedes: unknown key; known here:"]),
         (('scene = "heap.toml"', 'scene = "nothing.toml"'), ["nothing.toml: cannot read: No such file"]),

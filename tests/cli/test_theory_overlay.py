@@ -267,14 +267,14 @@ def status(word):
 
 
 @pytest.mark.parametrize("damage, part", [
-    (lambda out: flip(out / "summary.json", "base_dip"), "out/summary.json: damaged: its content is not what was written"),
-    (lambda out: (out / "summary.json").unlink(), "out: holds no run that was analysed, nor a sweep: no summary.json"),
+    (lambda out: flip(out / "summary.json", "base_dip"), "out/summary.json: damaged: its content differs from what Repose wrote"),
+    (lambda out: (out / "summary.json").unlink(), "out: holds neither an analysed run nor a sweep: no summary.json"),
     (lambda out: (out / "analysis.h5").write_bytes((out / "analysis.h5").read_bytes()[:-8]), "out/analysis.h5: damaged"),
     (lambda out: (out / "run.h5").write_bytes((out / "run.h5").read_bytes()[:-8]), "out/run.h5: damaged"),
     (lambda out: shutil.rmtree(out), "out: no such folder"),
-    (other_state, "out/summary.json: is not of the last state of the run"),
+    (other_state, "out/summary.json: does not describe the last state of the run"),
     (status(b"failed"), "out: the run failed"),
-    (status(b"running"), "out: the run has not finished (running): `repose resume out` goes on with it"),
+    (status(b"running"), "out: the run has not finished (running): `repose resume out` continues it"),
 ])  # fmt: skip
 def test_runs_that_are_not_whole_are_refused(lab, out, damage, part):
     damage(out)
@@ -297,7 +297,7 @@ def test_a_run_that_is_going_on_is_refused(lab):
 
 def test_heaps_without_a_base_or_a_slope_are_refused(lab):
     lab.run(HEAP.replace('kind = "row"\nhalf_width = 8', 'kind = "plane"').replace("at_rest", "# at_rest"), out="plane")
-    lab.refused("plot", "plane", *CONTINUUM, parts=["plane: no base profile: the heap stands on no row of base grains"])
+    lab.refused("plot", "plane", *CONTINUUM, parts=["plane: no base profile: the heap does not stand on a row of base grains"])
     few = lab.run(HEAP.replace("count = 40", "count = 6"), out="few")
     assert summary(few)["angle_of_repose_deg"]["mean"] is None and summary(few)["base_dip"] is not None
     lab.refused("plot", "few", *CONTINUUM, parts=["slope_deg must be given: the heap has no angle of repose"])

@@ -7,7 +7,7 @@
 #include "repose/core/errors.hpp"
 #include "repose/scene/read.hpp"
 #include "repose/scene/write.hpp"
-#include "repose/sweep/sweep_plan.hpp"
+#include "repose/sweep/plan.hpp"
 
 #include <algorithm>
 #include <array>

@@ -173,11 +173,11 @@ TEST(TheoryComparison, SkewModelsAreCentredWhereTheHeapIs) {
                          {}};
   };
   const auto base = pile();
-  auto found = laid_on(table({0.0, 0.2, 1.0}, {0.0, 1.0, 0.0}), base);
+  auto found = compare_table(table({0.0, 0.2, 1.0}, {0.0, 1.0, 0.0}), base);
   EXPECT_NEAR(found.width, 2.0 * base.half_width / 0.9, 1e-11);
   EXPECT_NEAR(found.left + 0.47 * found.width, middle, 1e-12);
   EXPECT_NEAR(found.scale, found.weight * found.spacing / (0.5 * found.width), 1e-11);
-  found = laid_on(table({0.0, 0.5, 0.5, 1.0}, {1.0, 1.0, 2.0, 2.0}), base);
+  found = compare_table(table({0.0, 0.5, 0.5, 1.0}, {1.0, 1.0, 2.0, 2.0}), base);
   EXPECT_NEAR(found.width, 2.0 * base.half_width, 1e-11);
   // Bins at -5 and 5, left and right of the jump; discs are 3.1/3 apart in the mean, a tenth more or less in a bin.
   ASSERT_EQ(base.bins.x[8], -5.0);

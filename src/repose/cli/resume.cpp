@@ -5,7 +5,7 @@
 #include "repose/cli/carry_out.hpp"
 #include "repose/cli/commands.hpp"
 #include "repose/core/errors.hpp"
-#include "repose/sweep/sweep_folder.hpp"
+#include "repose/sweep/folder.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repose/sweep/sweep.hpp"
+#include "repose/sweep/members.hpp"
 
 #include "repose/core/errors.hpp"
 #include "repose/io/whole_file.hpp"
@@ -29,7 +29,7 @@ using Stage = MemberProgress::Stage;
 using Clock = std::chrono::steady_clock;
 
 struct Sweep::Shared {
-  std::atomic<double> share;
+  std::atomic<double> fraction;
   char message[1000];
 };
 
@@ -37,18 +37,17 @@ namespace {
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// The last line of a message is enough for a table.
+/// Copies as much of a text as fits.
 void keep(char* place, std::size_t room, const std::string& text) {
   std::strncpy(place, text.c_str(), room - 1);
   place[room - 1] = '\0';
 }
 
-/// The folder of a member: taken up where its last checkpoint left it if it was cut off, or else new, and so is the
-/// simulation then.
+/// The folder and the simulation of a member: resumed from the last checkpoint of an interrupted run, or else new.
 std::unique_ptr<RunFolder> member_run(const std::string& path, const Scene& scene,
                                       std::unique_ptr<Simulation>& simulation) {
   std::filesystem::create_directories(path);
-  constexpr double patience = 5.0;  // with a member of a sweep that was killed and is about to end
+  constexpr double patience = 5.0;  // [s] a member of a killed sweep may still hold the lock
   auto lock = std::make_unique<FolderLock>(path, patience);
   simulation = std::make_unique<Simulation>(scene, 1);
   std::vector<std::string> damaged;
@@ -56,7 +55,7 @@ std::unique_ptr<RunFolder> member_run(const std::string& path, const Scene& scen
       checkpoint && checkpoint->scene() == scene_text(simulation->scene())) {
     try {
       return std::make_unique<RunFolder>(path, *checkpoint, *simulation, std::move(lock));
-    } catch (const InputError&) {  // its track is damaged
+    } catch (const InputError&) {  // the track is damaged: start again
       lock = std::make_unique<FolderLock>(path);
       simulation = std::make_unique<Simulation>(scene, 1);
     }
@@ -83,7 +82,7 @@ Sweep::Sweep(const SweepFolder& folder, int processes)
       queue_.push_back(k);
     }
   }
-  // One seed of every point before the next: the table fills evenly.
+  // All points run with one seed before the next seed begins, so that the table fills evenly.
   const auto seeds = folder.plan().seeds.size();
   std::stable_sort(queue_.begin(), queue_.end(), [&](auto a, auto b) { return a % seeds < b % seeds; });
   void* memory =
@@ -111,21 +110,21 @@ std::size_t Sweep::count(Stage stage) const {
       std::count_if(progress_.begin(), progress_.end(), [&](const auto& member) { return member.stage == stage; }));
 }
 
-double Sweep::share() const {
+double Sweep::fraction() const {
   double all = 0.0;
   double done = 0.0;
   for (std::size_t k = 0; k < progress_.size(); ++k) {
     all += work_[k];
-    done += work_[k] * progress_[k].share;
+    done += work_[k] * progress_[k].fraction;
   }
   return all > 0.0 ? done / all : 1.0;
 }
 
 double Sweep::wall_seconds() const { return seconds_since(began_); }
 
-void Sweep::be_member(std::size_t member, Shared& shared) const {
+void Sweep::run_member(std::size_t member, Shared& shared) const {
   int status = 1;
-  // A member cut off by a power failure that soon is made again; flushing thousands of small files would take longer.
+  // After a power failure so early the member is run again; flushing thousands of small files would take longer.
   publish_without_flush_for(5.0);
   try {
     const auto& what = folder_.members()[member];
@@ -134,7 +133,7 @@ void Sweep::be_member(std::size_t member, Shared& shared) const {
     const auto run = member_run(path, folder_.scene_of(what), simulation);
     Simulation::Hooks hooks;
     hooks.observed = [&](const Simulation& s) {
-      shared.share = std::clamp(s.grain_steps() / std::max(work_[member], 1.0), 0.0, 0.999);
+      shared.fraction = std::clamp(s.grain_steps() / std::max(work_[member], 1.0), 0.0, 0.999);
     };
     hooks.frame = [&](const Simulation& s) { run->write(s, true); };
     hooks.pause = [&](Simulation& s, bool last) { run->pause(s, last); };
@@ -155,19 +154,19 @@ void Sweep::be_member(std::size_t member, Shared& shared) const {
 void Sweep::start(std::size_t slot, std::size_t member) {
   auto& worker = workers_[slot];
   auto& shared = shared_[slot];
-  shared.share = 0.0;
+  shared.fraction = 0.0;
   shared.message[0] = '\0';
   std::fflush(nullptr);
   const pid_t parent = ::getpid();
   const pid_t process = ::fork();
   if (process < 0) throw RunError(fmt::format("cannot start a process: {}", std::strerror(errno)));
   if (process == 0) {
-    // A member does not outlive its sweep; Ctrl-C is for the sweep to answer.
+    // A member ends with its sweep, which handles Ctrl-C.
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (::getppid() != parent) ::_exit(1);
     ::signal(SIGINT, SIG_IGN);
     ::signal(SIGTERM, SIG_DFL);
-    be_member(member, shared);
+    run_member(member, shared);
   }
   worker = {process, member, Clock::now()};
   progress_[member].stage = Stage::running;
@@ -177,7 +176,7 @@ void Sweep::end(std::size_t slot, int status) {
   auto& worker = workers_[slot];
   auto& member = progress_[worker.member];
   member.seconds = seconds_since(worker.started);
-  member.share = 1.0;
+  member.fraction = 1.0;
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
     member.stage = Stage::finished;
   } else {
@@ -188,10 +187,10 @@ void Sweep::end(std::size_t slot, int status) {
   worker.process = -1;
 }
 
-void Sweep::look_after(std::size_t slot) {
+void Sweep::update_progress(std::size_t slot) {
   const auto& worker = workers_[slot];
   auto& member = progress_[worker.member];
-  member.share = shared_[slot].share;
+  member.fraction = shared_[slot].fraction;
   member.seconds = seconds_since(worker.started);
 }
 
@@ -212,7 +211,7 @@ void Sweep::run(const std::function<void(std::size_t)>& changed, const std::func
       }
       if (worker.process < 0 && next_ < queue_.size()) start(slot, queue_[next_++]);
       if (worker.process > 0) {
-        look_after(slot);
+        update_progress(slot);
         busy = true;
       }
     }
@@ -221,9 +220,9 @@ void Sweep::run(const std::function<void(std::size_t)>& changed, const std::func
       tick();
       ticked = Clock::now();
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));  // members may take no more than some milliseconds
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));  // a member may last a few milliseconds only
   }
-  stop_members();  // whoever looks at the folder from here on finds it at rest
+  stop_members();  // nothing writes into the folder after this
 }
 
 }  // namespace repose

@@ -4,7 +4,7 @@
 
 #include "repose/analysis/statistics.hpp"
 #include "repose/record/record.hpp"
-#include "repose/sweep/sweep_table.hpp"
+#include "repose/sweep/table.hpp"
 
 #include <functional>
 #include <string>
@@ -12,11 +12,11 @@
 
 namespace repose {
 
-/// A curve of theory in the bins of a response, and how well it describes it.
+/// A curve of theory in the bins of a response, and its distance from the response.
 struct ResponseCurve {
   std::string name;            ///< elastic (layer on a rough rigid floor), osl, diffusive, elastic_fitted
   std::vector<double> values;  ///< [F/h] by bin
-  double chi_square = 0.0;     ///< NaN where errors are not known
+  double chi_square = 0.0;     ///< NaN without errors of the response
 };
 
 /// Response of a bed to one downward force F on a grain a height h above the centres of its base: the normal force on
@@ -37,7 +37,7 @@ struct PointResponse {
   double nonlinearity =
       0.0;               ///< relative rms difference from an earlier response of other force, same seeds and places
   double poisson = 0.0;  ///< of the elastic curve: (1 - k_t/k_n)/4, of a random network of such springs
-  double fitted_poisson = 0.0;  ///< of the elastic curve of least chi-square; NaN where errors are not known
+  double fitted_poisson = 0.0;  ///< of the elastic curve of least chi-square; NaN without errors of the response
   double eta = 0.0;             ///< of OSL: tan^2 of the angle at which a grain sits in the hollow of the base row
   std::vector<ResponseCurve> curves;
 };

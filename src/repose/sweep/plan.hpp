@@ -11,9 +11,9 @@
 
 namespace repose {
 
-/// A statement about the results of a sweep, with the rule that decides it stated beforehand: a statistic lies between
-/// `above` and `below`. It agrees if the statistic +- 2 standard errors lies within, disagrees if wholly outside, and
-/// is undecided otherwise.
+/// A statement about the results of a sweep: a statistic lies between `above` and `below`. The rule that decides it is
+/// fixed beforehand: the sweep agrees if the statistic +- 2 standard errors lies within the bounds, disagrees if it
+/// lies wholly outside, and is undecided otherwise.
 struct Claim {
   enum class Kind {
     value,       ///< the mean of one point
@@ -21,7 +21,7 @@ struct Claim {
     spread       ///< the largest magnitude of the difference between any two of the points
   };
   std::string text;
-  std::string source;   ///< who says so
+  std::string source;   ///< the paper that states it
   std::string measure;  ///< column of the table
   Kind kind = Kind::value;
   std::vector<std::string> points;  ///< names
@@ -29,7 +29,7 @@ struct Claim {
   double below = std::numeric_limits<double>::infinity();
 };
 
-/// What a point of a sweep has that others may not: a key of the scene and its value.
+/// A parameter of a point of a sweep: a key of the scene and its value.
 struct Parameter {
   std::string key;
   std::string text;     ///< as TOML
@@ -40,7 +40,7 @@ struct Parameter {
 struct SweepPoint {
   std::string name;  ///< unique, fit for the name of a folder
   std::vector<Parameter> parameters;
-  Scene scene;  ///< its seed is to be set
+  Scene scene;  ///< the seed is that of the first member
 };
 
 /// An ensemble: points times seeds, read from a sweep file and checked with all its scenes.
@@ -52,7 +52,7 @@ struct SweepPlan {
   std::vector<Claim> claims;
 };
 
-/// The text of a file beside which a plan can be read again, by itself.
+/// A file of the folder of a sweep; the plan can be read again from these files alone.
 struct SweepFile {
   std::string name;  ///< relative to the folder
   std::string text;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repose/sweep/sweep_folder.hpp"
+#include "repose/sweep/folder.hpp"
 
 #include "repose/core/errors.hpp"
 #include "repose/io/folders.hpp"
@@ -11,7 +11,7 @@
 #include "repose/run_folder/run_folder.hpp"
 #include "repose/scene/read.hpp"
 #include "repose/scene/write.hpp"
-#include "repose/sweep/point_response.hpp"
+#include "repose/sweep/response.hpp"
 
 #include <fmt/format.h>
 
@@ -56,7 +56,7 @@ Scene scene_with_seed(const SweepPlan& plan, const Member& member) {
   return scene;
 }
 
-/// Names and values of all summaries side by side. A name that stands for an object elsewhere is left out.
+/// Names and values of all summaries side by side. Leaves out a name that is an object in another summary.
 std::vector<std::string> union_of(const std::vector<std::vector<std::pair<std::string, double>>>& all) {
   std::vector<std::string> names;
   for (const auto& values : all) {
@@ -91,7 +91,7 @@ std::vector<std::string> SweepFolder::problems(const std::string& path, const Sw
     found.push_back(
         fmt::format("{}: was made from another scene than this sweep's; choose another --out, or --overwrite",
                     scene.parent_path().string()));
-    if (found.size() == 5) break;  // the others are likely to be the same
+    if (found.size() == 5) break;  // more would only repeat this
   }
   return found;
 }
@@ -113,7 +113,7 @@ SweepFolder::SweepFolder(std::string path, const std::string& sweep_file, SweepP
   fs::create_directories(fs::path(path_) / "scenes", error);
   if (error) throw InputError(fmt::format("{}: cannot make the folder: {}", path_, error.message()));
   try {
-    // The scenes first: a folder that has a sweep.toml can be read.
+    // The scenes come first: a folder with a sweep.toml must be readable.
     for (auto file = files.rbegin(); file != files.rend(); ++file) {
       write_text_file(path_ + "/" + file->name, file->text);
     }
@@ -161,7 +161,7 @@ SweepTable SweepFolder::table() const {
 }
 
 void SweepFolder::write(const SweepTable& table) const {
-  // It compares theory with the profiles that are about to change (lay_theory_on), and nothing else.
+  // The old summary compares theory with profiles that are about to change, and holds nothing else.
   std::error_code error;
   fs::remove(fs::path(path_) / "summary.json", error);
   write_text_file(path_ + "/table.csv", table_csv(plan_, table));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/core/version.hpp"
 #include "repose/io/hdf5_file.hpp"
-#include "repose/sweep/sweep_table.hpp"
+#include "repose/sweep/table.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 
 #include "repose/analysis/base_profile.hpp"
 #include "repose/analysis/statistics.hpp"
-#include "repose/sweep/sweep_plan.hpp"
+#include "repose/sweep/plan.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -13,12 +13,12 @@
 
 namespace repose {
 
-/// What one member brings to the table.
+/// One member in the table.
 struct MemberRow {
   std::size_t point = 0;
   std::int64_t seed = 0;
-  std::string status;          ///< of its summary; "" without one
-  std::vector<double> values;  ///< by measure; NaN where not defined, and for members that have not finished
+  std::string status;          ///< in its summary; "" without one
+  std::vector<double> values;  ///< by measure; NaN where undefined, and for members that have not finished
   BaseProfile base;            ///< empty unless finished
 };
 
@@ -30,17 +30,17 @@ struct EnsembleProfile {
   BinnedProfile binned;  ///< errors between members
   Estimate dip_index;    ///< of the mean profile; error by the jackknife
   Estimate max_over_centre;
-  double centre = 0.0, half_width = 0.0;  ///< [L] of the stretch that the mean profile loads; NaN if none
+  double centre = 0.0, half_width = 0.0;  ///< [L] of the loaded interval of the mean profile; NaN without one
 };
 
-/// A statement, what the sweep says of it, and the verdict by the rule of `Claim`.
+/// The verdict on a claim by the rule of `Claim`.
 struct Verdict {
   std::string word;  ///< "agrees", "disagrees" or "undecided"; "no data" where a mean or its error is not defined
   double value = 0.0;
   double error = 0.0;  ///< standard error
 };
 
-/// Everything that a sweep has found so far.
+/// The results of a sweep so far.
 struct SweepTable {
   std::vector<std::string> measures;           ///< dotted names of summary.json, then profile.dip_index and the like
   std::vector<MemberRow> members;              ///< in the order of the sweep
@@ -50,9 +50,15 @@ struct SweepTable {
   std::vector<Verdict> verdicts;                         ///< by claim of the plan
 };
 
-/// Measures of a summary that are numbers and say something of the grains (not how long the run took): dotted name and
-/// value, NaN for null. Throws InputError unless the text is a summary.
+/// The numbers of a summary that measure the grains (not the run, such as its wall time): dotted name and value, NaN
+/// for null. Throws InputError unless the text is a summary.
 std::vector<std::pair<std::string, double>> measures_of(const std::string& summary, const std::string& name);
+
+/// The ensemble profile of some members; none where they have no base, or bases that differ.
+std::optional<EnsembleProfile> ensemble_profile(const std::vector<const BaseProfile*>& members, double bin_width);
+
+/// What the finished entries of a table decide about a claim, by the rule of `Claim`.
+Verdict verdict_of(const Claim& claim, const SweepPlan& plan, const SweepTable& table);
 
 /// Means and errors by point, ensemble profiles and verdicts from the members (whose values are by `measures`).
 SweepTable make_table(const SweepPlan& plan, std::vector<std::string> measures, std::vector<MemberRow> members);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/sweep/sweep_folder.hpp"
+#include "repose/sweep/folder.hpp"
 
 #include <sys/types.h>
 
@@ -15,18 +15,19 @@
 
 namespace repose {
 
-/// How far one member has come.
+/// The progress of one member.
 struct MemberProgress {
   enum class Stage { waiting, running, finished, failed };
   Stage stage = Stage::waiting;
-  bool earlier = false;  ///< finished or failed before this sweep went on
-  double share = 0.0;    ///< of the work, estimated
+  bool earlier = false;   ///< finished or failed before this sweep was continued
+  double fraction = 0.0;  ///< of the work, estimated
   double seconds = 0.0;
   std::string message;  ///< why it failed
 };
 
-/// Runs the members of a sweep side by side, each in a process of its own: one that fails, even by a crash, does not
-/// touch the others. A member that has finished or failed is never run again; one that was cut off starts anew.
+/// Runs the members of a sweep side by side, each in a process of its own, so that a crash of one leaves the others
+/// alone. A member that has finished or failed is never run again; an interrupted one resumes from its checkpoint, or
+/// starts again without one.
 class Sweep {
  public:
   Sweep(const SweepFolder& folder, int processes);
@@ -34,19 +35,19 @@ class Sweep {
   Sweep(const Sweep&) = delete;
   Sweep& operator=(const Sweep&) = delete;
 
-  /// Calls `changed` with the number of a member that has just ended, and `tick` some times a second. Ends when all
-  /// members have, or soon after `interrupt` becomes true.
+  /// Runs all members. Calls `changed` with the number of a member when it ends, and `tick` several times a second.
+  /// Returns when all members have ended, or soon after `interrupt` becomes true.
   void run(const std::function<void(std::size_t member)>& changed, const std::function<void()>& tick,
            const std::atomic<bool>& interrupt);
 
   const std::vector<MemberProgress>& progress() const { return progress_; }
   std::size_t count(MemberProgress::Stage stage) const;
-  /// Estimated share of all the work, in [0, 1].
-  double share() const;
+  /// Estimated fraction of all the work that is done, in [0, 1].
+  double fraction() const;
   double wall_seconds() const;
 
  private:
-  struct Shared;  // what a member's process tells, in memory that both see
+  struct Shared;  // progress of a member, in memory shared with its process
   struct Worker {
     pid_t process = -1;
     std::size_t member = 0;
@@ -55,9 +56,9 @@ class Sweep {
 
   void stop_members();
   void start(std::size_t slot, std::size_t member);
-  void look_after(std::size_t slot);
+  void update_progress(std::size_t slot);
   void end(std::size_t slot, int status);
-  [[noreturn]] void be_member(std::size_t member, Shared& shared) const;
+  [[noreturn]] void run_member(std::size_t member, Shared& shared) const;
 
   const SweepFolder& folder_;
   std::vector<MemberProgress> progress_;

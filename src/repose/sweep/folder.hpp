@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/sweep/sweep_plan.hpp"
-#include "repose/sweep/sweep_table.hpp"
+#include "repose/sweep/plan.hpp"
+#include "repose/sweep/table.hpp"
 
 #include <string>
 #include <utility>
@@ -22,12 +22,12 @@ struct Member {
 class SweepFolder {
  public:
   static bool is_one(const std::string& path);
-  /// What stands in the way of this sweep in this folder, one line each; nothing is touched.
+  /// The reasons why this sweep cannot be written into this folder, one line each. Changes nothing.
   static std::vector<std::string> problems(const std::string& path, const SweepPlan& plan, bool overwrite);
 
-  /// Opens the folder of an earlier `repose sweep`. Throws InputError if it is none.
+  /// Opens the folder of an earlier `repose sweep`. Throws InputError if `path` is no such folder.
   explicit SweepFolder(std::string path);
-  /// Makes the folder, or goes on in it; `overwrite` clears an older sweep out first. Throws InputError.
+  /// Makes the folder, or continues the sweep in it; `overwrite` removes an older sweep first. Throws InputError.
   SweepFolder(std::string path, const std::string& sweep_file, SweepPlan plan, bool overwrite);
 
   const std::string& path() const { return path_; }
@@ -36,17 +36,17 @@ class SweepFolder {
   const std::vector<Member>& members() const { return members_; }
   std::string member_path(const Member& member) const;
   Scene scene_of(const Member& member) const;
-  /// How far a member has come, by its summary; "" where there is none to read.
+  /// The status in the summary of a member; "" without a readable summary.
   std::string status_of(const Member& member) const;
 
-  /// Measures of a member that has finished, by name.
+  /// Names and values of the measures of a member that has finished.
   std::vector<std::pair<std::string, double>> measures(const Member& member) const;
 
   /// Reads the summaries and base profiles of all members that have finished.
   SweepTable table() const;
   /// Writes table.csv, members.csv, claims.csv and sweep.h5. Throws RunError.
   void write(const SweepTable& table) const;
-  /// Works out anew what the analysis says of every member, then the tables. Returns the number of members.
+  /// Analyses every member again and writes the tables. Returns the number of members.
   std::size_t analyse() const;
 
  private:
