@@ -51,7 +51,7 @@ def _moved(axes, motion, avalanches):
         middle = 0.5 * (avalanches["start"] + avalanches["end"])
         axes.add_collection(LineCollection(spans, colors=style.ORANGE, linewidths=1.6), autolim=False)
         axes.plot(middle, size, "o", color=style.ORANGE, markersize=2.6)
-        name = "avalanche, from start to end: grains that moved in it"
+        name = "avalanche, start to end: grains that moved in it"
         axes.plot([], [], "o-", color=style.ORANGE, markersize=2.6, label=name)
     axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=2)
 
@@ -64,7 +64,7 @@ def _angles(axes, motion):
     angles = angles[np.isfinite(angles)]
     if len(angles):
         low, high = min(0.0, angles.min()), max(1.0, angles.max())
-        axes.set_ylim(low - 0.3 * (high - low), high + 0.05 * (high - low))  # room for the legend
+        axes.set_ylim(low - 0.3 * (high - low), high + 0.05 * (high - low))  # space for the legend
         axes.legend(loc="lower right", ncol=2)
 
 

@@ -44,7 +44,7 @@ def draw(run, state):
     figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.08 / 5.2, 1.0 - 0.26 / 3.6), ncol=2)
 
     window = run.base.attributes
-    text = f"mean from t = {window['window_start']:.6g} to {units.time_value(window['window_end'])}"
+    text = f"mean over t = {window['window_start']:.6g} to {units.time_value(window['window_end'])}"
     dip = run.summary.get("base_dip")
     if dip:
         for side in (-1.0, 1.0):

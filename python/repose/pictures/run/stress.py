@@ -90,6 +90,6 @@ def _bars(table, panel, chosen, anisotropy, angle):
 def _handle(pitch, width):
     """The bar of the legend; `pitch` and `width` in points."""
     length = pitch * LEGEND_VALUE / LONGEST
-    name = f"axis of the major principal stress; this length: (σ₁ − σ₂)/(σ₁ + σ₂) = {LEGEND_VALUE:g}"
+    name = f"axis of the major principal stress; this long: (σ₁ − σ₂)/(σ₁ + σ₂) = {LEGEND_VALUE:g}"
     bar = dict(linestyle="none", marker="_", markersize=length, markeredgewidth=width, color=style.INK)
     return Line2D([], [], label=name, **bar)

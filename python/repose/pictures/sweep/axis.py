@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-UNITS = {"method.critical_angle": "deg"}  # of keys whose unit is the same in every scene
+UNITS = {"method.critical_angle": "deg"}  # of keys that have one unit in every scene
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ MEASURES = (
     ("packing.fabric.anisotropy.mean", "anisotropy a"),
     ("packing.fabric_folded.direction_deg.mean", "direction $θ_f$ from the\nvertical (deg)"),
 )
-FRACTIONS = tuple(f"packing.P_{q}" for q in range(7))  # of the grains with q contacts
+FRACTIONS = tuple(f"packing.P_{q}" for q in range(7))  # fraction of the grains that have q contacts
 CONTACTS = ("0", "1", "2", "3", "4", "5", "6+")
 LEAST_FRACTION = 0.005  # smaller ones are not drawn
 COLOURS = (*style.SERIES, style.INK)
@@ -79,7 +79,7 @@ def _figure(sweep, axis, along, panels, together=()):
 
 
 def _largest_mean(sweep, key):
-    """Of a measure over the points; 0 where no point has it."""
+    """The largest mean of a measure over the points; 0 where no point has it."""
     return np.nanmax(sweep.measures[key]["mean"]) if has_measure(sweep, key) else 0.0
 
 
