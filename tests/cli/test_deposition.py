@@ -193,7 +193,7 @@ def test_pictures(lab):
     assert "#2d3f8c" in svg and "#4d4d4d" in svg  # six neighbours, and the base
     plain = lab.run(scene(0, width=16, count=300), out="plain")
     said = lab("plot", "plain", "--format", "svg", "--only", "correlations", timeout=120).stdout
-    assert "correlations: not drawn: the packing has no radial nor structure_factor" in said
+    assert "correlations: not drawn: the packing has no radial or structure_factor" in said
     assert not (plain / "pictures/correlations.svg").exists()
 
 
