@@ -27,22 +27,24 @@ class Deposition final : public Method<2> {
  public:
   explicit Deposition(const DepositionSettings& settings) : settings_(settings) {}
 
-  StepReport advance(Grains<2>& grains, long steps, Team& /*team*/) override {
-    StepReport report;
+  TimeSteps time_steps() const override { return {1.0, false}; }
+  double time() const override { return static_cast<double>(made_); }
+
+  StepReport advance(Grains<2>& grains, double until, Team& /*team*/) override {
+    const std::int64_t before = made_;
+    const std::int64_t last = std::min<std::int64_t>(time_steps().count(until), settings_.count);
     const Roller<Search> roller(settings_, *search_);
-    for (; report.steps < steps && made_ < settings_.count; ++report.steps) {
+    bool trouble = false;
+    while (made_ < last && !trouble) {
       const auto drop = settings_.drop(made_);
       const auto rest = roller.drop(place_of(drop), drop.grain.radius);
-      if (!rest || !std::isfinite(rest->x)) {
-        report.trouble = true;
-        return report;
-      }
-      add(grains, drop, *rest);
+      trouble = !rest || !std::isfinite(rest->x);
+      if (!trouble) add(grains, drop, *rest);
     }
-    return report;
+    return {time(), made_ - before, trouble};
   }
 
-  /// Lists what is there already, and makes room for what is to come.
+  /// Lists the grains that exist, and makes room for those to come.
   void grains_added(Grains<2>& grains) override {
     const auto all = grains.size() + static_cast<std::size_t>(settings_.count - made_);
     grains.reserve(all);
@@ -66,13 +68,6 @@ class Deposition final : public Method<2> {
     }
     return contacts;
   }
-
-  double time_step() const override { return 1.0; }
-  void set_loads(const std::vector<Load<2>>& /*loads*/) override {}
-  void set_histories(const Grains<2>& /*grains*/, const Contacts<2>& /*contacts*/) override {}
-  const std::vector<WallState>& walls() const override { return no_walls_; }
-  std::vector<Vec<2>> taken_wall_impulses() override { return {}; }
-  Energy energy(const Grains<2>& /*grains*/) const override { return {}; }
 
   void exchange(Archive& archive) override {
     archive.value("deposition/made", made_);
@@ -135,7 +130,6 @@ class Deposition final : public Method<2> {
   std::optional<Search> search_;
   std::vector<Supports> supports_;  // of each grain, in memory order, which is that of ids here
   std::int64_t made_ = 0;
-  std::vector<WallState> no_walls_;
 };
 
 }  // namespace
