@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/methods/deposition/deposition.hpp"
 
+#include "repose/methods/contacts.hpp"
 #include "repose/methods/deposition/brute_force.hpp"
 #include "repose/methods/deposition/columns.hpp"
 
@@ -63,7 +64,8 @@ class Deposition final : public Method<2> {
     for (std::size_t k = 0; k < supports_.size(); ++k) {
       const auto [low, high] = std::minmax(supports_[k].first, supports_[k].second);
       for (const auto support : {low, high}) {
-        if (support >= 0) contacts.list.push_back(touch(grains, k, static_cast<std::size_t>(support)));
+        if (support >= 0)
+          contacts.list.push_back(contact_of_grains(grains, k, static_cast<std::size_t>(support), settings_.box));
       }
     }
     return contacts;
@@ -108,22 +110,6 @@ class Deposition final : public Method<2> {
   void list(const Grains<2>& grains) {
     search_.emplace(settings_, grains);
     for (std::size_t k = 0; k < grains.size(); ++k) search_->add(static_cast<std::int32_t>(k));
-  }
-
-  Contact<2> touch(const Grains<2>& grains, std::size_t i, std::size_t j) const {
-    const auto& a = grains.line[i];
-    const auto& b = grains.line[j];
-    const auto d = separation(a.position, b.position, settings_.box);
-    const double distance = magnitude(d);
-    const double reach = a.radius + b.radius;
-    Contact<2> contact;
-    contact.first = grains.id[i];
-    contact.second = grains.id[j];
-    contact.normal = d * (1.0 / distance);
-    contact.overlap = reach - distance;
-    contact.relative_overlap = 2.0 * contact.overlap / reach;
-    contact.first_lever = a.radius;
-    return contact;
   }
 
   DepositionSettings settings_;
