@@ -55,7 +55,7 @@ SettledBed& settled_bed(int count) {
   }
   bed.method->grains_added(bed.grains);
   Team team(1);
-  bed.method->advance(bed.grains, 600, team);
+  bed.method->advance(bed.grains, bed.method->time_steps().after(600), team);
   return bed;
 }
 
@@ -84,7 +84,7 @@ void steps(benchmark::State& state) {
   Team team(1);
   double moved = 0.0;
   for (auto _ : state) {
-    bed.method->advance(bed.grains, 10, team);
+    bed.method->advance(bed.grains, bed.method->time() + bed.method->time_steps().after(10), team);
     moved += 10.0 * static_cast<double>(bed.grains.size());
   }
   state.counters["grain_steps"] = benchmark::Counter(moved, benchmark::Counter::kIsRate);

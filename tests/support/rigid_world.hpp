@@ -38,7 +38,7 @@ class RigidWorld {
 
   StepReport advance(long steps) {
     Team alone(1);
-    return method.advance(grains, steps, alone);
+    return method.advance(grains, method.time() + static_cast<double>(steps) * method.time_steps().length, alone);
   }
   void refresh() {
     Team alone(1);

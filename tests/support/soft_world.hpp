@@ -32,11 +32,14 @@ class SoftWorld {
     return grains.id.back();
   }
 
-  StepReport advance(long steps) { return method_.advance(grains, steps, team_); }
+  StepReport advance(long steps) {
+    const double duration = static_cast<double>(steps) * method_.time_steps().length;
+    return method_.advance(grains, method_.time() + duration, team_);
+  }
   Contacts<D> contacts() const { return method_.contacts(grains); }
   void refresh() { method_.refresh(grains, team_); }
   const Soft<D, Law>& method() const { return method_; }
-  std::vector<Vec<D>> take_wall_impulses() { return method_.taken_wall_impulses(); }
+  std::vector<Vec<D>> take_wall_impulses() { return method_.take_wall_impulses(); }
   void set_loads(const std::vector<Load<D>>& loads) { method_.set_loads(loads); }
   Energy energy() const { return method_.energy(grains); }
 

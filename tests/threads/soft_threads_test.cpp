@@ -134,7 +134,7 @@ std::vector<double> wide_layer(int threads, double along) {
   Soft<2, Law> method(MaterialTable<Law>(Law{Hooke{2e4, 0.3}, Cumulative{0.5, 1.214}}), settings);
   Team team(threads);
   method.grains_added(grains);
-  method.advance(grains, 30, team);
+  method.advance(grains, 30 * settings.time_step, team);
   std::vector<double> state;
   for (const auto k : by_id(grains)) {
     state.push_back(grains.line[k].velocity[0]);

@@ -125,14 +125,14 @@ struct Crowd {
 
 TEST_F(CheckpointTest, SoftGoesOnBitForBit) {
   Crowd whole;
-  whole.method.advance(whole.grains, 4000, whole.team);
+  whole.method.advance(whole.grains, 4.0, whole.team);
   for (const int steps : {0, 1, 777, 2500}) {
     Crowd first;
-    first.method.advance(first.grains, steps, first.team);
+    first.method.advance(first.grains, 1e-3 * steps, first.team);
     keep(path("kept.h5"), first);
     Crowd second;
     bring_back(path("kept.h5"), second);
-    second.method.advance(second.grains, 4000 - steps, second.team);
+    second.method.advance(second.grains, 4.0, second.team);
     ASSERT_EQ(second.grains.id, whole.grains.id) << "memory order after " << steps;
     for (std::size_t k = 0; k < whole.grains.size(); ++k) {
       EXPECT_EQ(second.grains.line[k].position, whole.grains.line[k].position);

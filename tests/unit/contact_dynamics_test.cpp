@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/core/random.hpp"
 #include "repose/methods/contact_dynamics/residual.hpp"
+#include "support/memory_archive.hpp"
 #include "support/rigid_world.hpp"
 
 #include <gtest/gtest.h>
@@ -309,14 +310,14 @@ TEST(ContactDynamics, BoxTakesUpWeightAndMomentum) {
     world.add({{0.7 + 1.1 * (k % 7), 0.6 + 1.1 * (k / 7)}}, {}, 0.0, size);
   }
   world.advance(1);
-  world.method.taken_wall_impulses();
+  world.method.take_wall_impulses();
   auto before = momenta(world.grains);
   double weight = 0.0;
   for (const auto& grain : world.grains.line) weight += grain.mass;
   for (int k = 0; k < 100; ++k) {
     world.advance(1);
     const auto after = momenta(world.grains);
-    const auto taken = world.method.taken_wall_impulses();
+    const auto taken = world.method.take_wall_impulses();
     const Vec<2> sum = taken[0] + taken[1] + taken[2];
     EXPECT_NEAR(sum[1], -weight * 0.05 - (after[1] - before[1]), 1e-11);
     EXPECT_NEAR(sum[0], -(after[0] - before[0]), 1e-11);
@@ -354,29 +355,6 @@ TEST(ContactDynamics, UnconvergedChainCreepsAndIsCounted) {
   EXPECT_LT(world[20].position[1], 20.0 * std::cos(0.5) - 0.1);
 }
 
-/// Keeps bytes by name.
-class Memory final : public Archive {
- public:
-  bool restore = false;
-  bool restoring() const override { return restore; }
-
- protected:
-  void block(const std::string& name, std::size_t item, std::size_t count, const void* data,
-             const std::function<void*(std::size_t)>& room) override {
-    auto& kept = kept_[name];
-    if (!restore) {
-      const auto* bytes = static_cast<const char*>(data);
-      kept.assign(bytes, bytes + item * count);
-    } else if (auto* to = room(kept.size() / item); !kept.empty()) {
-      std::memcpy(to, kept.data(), kept.size());
-    }
-  }
-  void refuse(const std::string& name) const override { throw RunError(name); }
-
- private:
-  std::map<std::string, std::vector<char>> kept_;
-};
-
 RigidWorld<2> pouring_box() {
   ImpulseLaw law;
   law.friction = 0.5;
@@ -401,7 +379,7 @@ TEST(ContactDynamics, ResumeIsContinuationBitForBit) {
   auto second = pouring_box();
   whole.advance(80);
   first.advance(37);
-  Memory memory;
+  testing::MemoryArchive memory;
   first.grains.exchange(memory);
   first.method.exchange(memory);
   memory.restore = true;

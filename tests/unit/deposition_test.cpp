@@ -61,7 +61,7 @@ struct Packer {
     const auto method = brute_force ? make_deposition_by_brute_force(settings()) : make_deposition(settings());
     method->grains_added(grains);
     Team team(1);
-    EXPECT_FALSE(method->advance(grains, static_cast<long>(count), team).trouble);
+    EXPECT_FALSE(method->advance(grains, static_cast<double>(count), team).trouble);
     EXPECT_TRUE(method->complete());
     return grains;
   }
@@ -196,10 +196,12 @@ TEST(Deposition, StepsAreDiscs) {
   const auto method = make_deposition(settings);
   method->grains_added(grains);
   Team team(1);
-  EXPECT_EQ(method->advance(grains, 4, team).steps, 4);
+  EXPECT_EQ(method->advance(grains, 4.0, team).steps, 4);
   EXPECT_EQ(method->made(), 4);
   EXPECT_FALSE(method->complete());
-  EXPECT_EQ(method->advance(grains, 100, team).steps, 6);
+  const auto rest = method->advance(grains, 100.0, team);
+  EXPECT_EQ(rest.steps, 6);
+  EXPECT_EQ(rest.time, 10.0);
   EXPECT_TRUE(method->complete());
   EXPECT_EQ(grains.size(), 10U);
 }
@@ -212,7 +214,7 @@ TEST(Deposition, FallsForEver) {
   const auto method = make_deposition(settings);
   method->grains_added(grains);
   Team team(1);
-  const auto report = method->advance(grains, 1, team);
+  const auto report = method->advance(grains, 1.0, team);
   EXPECT_TRUE(report.trouble);
   EXPECT_EQ(report.steps, 0);
 }

@@ -18,6 +18,8 @@ namespace {
 const std::string stop = "stop = { time = 1 }\n";
 const std::string hooke = "contact = { normal = { law = \"hooke\", stiffness = 1e4 } }\n";
 
+constexpr TimeSteps leapfrog{0.001, true};
+
 double no_apex() { return 0.0; }
 
 /// Smallest distance between the surfaces of two grains [L], by comparing all.
@@ -43,15 +45,15 @@ Scene raining(const std::string& more) {
 // At most 1 + t rate grains by time t, and all of them by the next moment of release unless they wait; none overlaps.
 TEST(Rain, GrainsOfOneMomentDoNotOverlap) {
   const auto scene = raining("velocity = [0.5, -2.0]");
-  Rain rain(scene, 0.001, 7);
+  Rain rain(scene, leapfrog, 7);
   Grains<2> grains;
   std::size_t most = 0;
   long step = 0;
   while (!rain.done() && step < 1000000) {
-    step = std::max(step, rain.next_step());
+    step = std::max(step, leapfrog.count(rain.due()));
     ASSERT_EQ(step % 100, 0) << "rain falls every 0.1 sqrt(d/g)";
     Grains<2> together;
-    rain.release(together, step, no_apex);
+    rain.release(together, leapfrog.after(step), no_apex);
     EXPECT_GE(least_gap(together, make_box(scene)), -1e-12);
     most = std::max(most, together.size());
     for (std::size_t k = 0; k < together.size(); ++k) {
@@ -75,14 +77,14 @@ TEST(Rain, GrainsOfOneMomentDoNotOverlap) {
 // A source that is given up and made anew with the same state goes on with the same grains: nothing else is random.
 TEST(Rain, GrainsDependOnTheirNumberAlone) {
   const auto scene = raining("half_width = 20");
-  Rain one(scene, 0.001, 0);
-  Rain other(scene, 0.001, 0);
+  Rain one(scene, leapfrog, 0);
+  Rain other(scene, leapfrog, 0);
   Grains<2> all;
   Grains<2> late;
-  one.release(all, 1000, no_apex);
+  one.release(all, 1.0, no_apex);
   for (long step = 0; step <= 1000; step += 100) {
     Grains<2> now;
-    if (other.next_step() <= step) other.release(now, step, no_apex);
+    if (other.due() <= leapfrog.after(step)) other.release(now, leapfrog.after(step), no_apex);
     for (const auto& grain : now.line) late.add(grain, 0);
   }
   ASSERT_GE(all.size(), 30U);  // what found room at once on a line of 40
@@ -93,9 +95,9 @@ TEST(Rain, GrainsDependOnTheirNumberAlone) {
 
 TEST(Rain, HeightAboveTheApex) {
   const auto scene = raining("height_above = \"apex\"");
-  Rain rain(scene, 0.001, 0);
+  Rain rain(scene, leapfrog, 0);
   Grains<2> grains;
-  rain.release(grains, 0, [] { return 3.25; });
+  rain.release(grains, 0.0, [] { return 3.25; });
   ASSERT_EQ(grains.size(), 1U);
   EXPECT_EQ(grains.line[0].position[1], 12.25);
 }

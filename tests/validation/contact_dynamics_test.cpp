@@ -33,11 +33,11 @@ TEST(ContactDynamicsBox, CarriesTheWeightOf1000Discs) {
     weight += 4.0 * size * size;
   }
   ASSERT_FALSE(world.advance(900).trouble);
-  world.method.taken_wall_impulses();
+  world.method.take_wall_impulses();
   const long unconverged = world.method.account().unconverged;
   ASSERT_FALSE(world.advance(20).trouble);
   EXPECT_EQ(world.method.account().unconverged, unconverged);
-  const auto taken = world.method.taken_wall_impulses();
+  const auto taken = world.method.take_wall_impulses();
   const Vec<2> sum = taken[0] + taken[1] + taken[2];
   const double carried = weight * 0.05 * 20.0;
   EXPECT_NEAR(-sum[1] / carried, 1.0, 1e-6);

@@ -43,7 +43,7 @@ class WallList {
              const std::vector<WallNow<D>>& now, const Box<D>& box, const PairList<D>& list, double cutoff,
              double skin) {
     if (walls.empty()) return;
-    take_impulses(walls.size());
+    gather_impulses(walls.size());
     const auto old_start = std::move(row_start);
     const auto old = std::move(pairs);
     row_start.assign(1, 0);
@@ -77,9 +77,9 @@ class WallList {
     }
   }
 
-  /// Impulse of the grains on each wall [M L/T] since this was last called, and starts anew.
-  std::vector<Vec<D>> taken_impulses(std::size_t walls) {
-    take_impulses(walls);
+  /// Impulse of the grains on each wall [M L/T] since the last call.
+  std::vector<Vec<D>> take_impulses(std::size_t walls) {
+    gather_impulses(walls);
     return std::exchange(impulse_, std::vector<Vec<D>>(walls));
   }
 
@@ -94,7 +94,7 @@ class WallList {
     return {wall, {}, {}, {}, {}, {}};
   }
 
-  void take_impulses(std::size_t walls) {
+  void gather_impulses(std::size_t walls) {
     impulse_.resize(walls);
     for (auto& pair : pairs) {
       impulse_[pair.wall] -= pair.impulse;

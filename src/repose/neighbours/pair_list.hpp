@@ -75,7 +75,8 @@ class PairList {
   std::size_t rows() const { return row_start.empty() ? 0 : row_start.size() - 1; }
   std::size_t pairs() const { return partner.size(); }
   long builds() const { return builds_; }
-  double travelled() const { return travelled_; }
+  double travelled() const { return travelled_; }  ///< [L] bound on the displacement of any grain since the last check
+  void set_travelled(double furthest) { travelled_ = furthest; }
   double slack() const { return slack_; }
 
   /// Pairs whose places in memory lie further apart than this are far pairs; `bandwidth` is the widest of the others.

@@ -131,15 +131,12 @@ void Sweep::run_member(std::size_t member, Shared& shared) const {
     const auto path = folder_.member_path(what);
     std::unique_ptr<Simulation> simulation;
     const auto run = member_run(path, folder_.scene_of(what), simulation);
-    Simulation::Hooks hooks;
-    hooks.observed = [&](const Simulation& s) {
+    simulation->observe_every(simulation->scene().output.series, [&](const Simulation& s) {
       shared.fraction = std::clamp(s.grain_steps() / std::max(work_[member], 1.0), 0.0, 0.999);
-    };
-    hooks.frame = [&](const Simulation& s) { run->write(s, true); };
-    hooks.pause = [&](Simulation& s, bool last) { run->pause(s, last); };
+    });
     const std::atomic<bool> never{false};
-    simulation->run(hooks, never);
-    run->write(*simulation, false);
+    run->run(*simulation, never);
+    run->write(*simulation);
     if (simulation->status() == Status::failed) {
       keep(shared.message, sizeof shared.message, simulation->message());
     } else {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/methods/contact_dynamics/contact_dynamics.hpp"
 
+#include "repose/methods/contacts.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -43,22 +45,34 @@ ContactDynamics<D>::ContactDynamics(ImpulseLaws laws, ContactDynamicsSettings<D>
 
 template <int D>
 bool ContactDynamics<D>::step(Grains<D>& grains, Team& team) {
-  refresh_pairs(grains, team);
-  set_free_velocities(grains);
-  find_contacts(grains);
+  pose(grains, team);
   solve();
   hand_over_reactions(grains);
   return move(grains);
 }
 
+/// Sets up the contact problem of the step.
 template <int D>
-StepReport ContactDynamics<D>::advance(Grains<D>& grains, long steps, Team& team) {
-  StepReport report;
-  while (report.steps < steps && !report.trouble) {
-    report.trouble = !step(grains, team);
-    ++report.steps;
-  }
-  return report;
+void ContactDynamics<D>::pose(Grains<D>& grains, Team& team) {
+  refresh_pairs(grains, team);
+  set_free_velocities(grains);
+  find_contacts(grains);
+}
+
+template <int D>
+StepReport ContactDynamics<D>::advance(Grains<D>& grains, double until, Team& team) {
+  const long before = step_;
+  const long last = time_steps().count(until);
+  bool trouble = false;
+  while (step_ < last && !trouble) trouble = !step(grains, team);
+  return {time(), step_ - before, trouble};
+}
+
+template <int D>
+const contact_dynamics::Problem<D>* ContactDynamics<D>::problem_at(double time, Grains<D>& grains, Team& team) {
+  step_ = time_steps().count(time);
+  pose(grains, team);
+  return &problem_;
 }
 
 /// The list must hold until the end of the step: grains may meet then that are far apart now.
@@ -123,9 +137,9 @@ void ContactDynamics<D>::set_free_wall(std::size_t w, double kick) {
   auto& state = walls_[w];
   double inverse_mass = 0.0;
   if (!motion.feels_grains()) {
-    move_wall(motion, state, now(), kick, 0.0, Vec<D>{});
-  } else if (now() >= motion.start) {
-    const double end = now() + settings_.time_step - motion.start;
+    move_wall(motion, state, time(), kick, 0.0, Vec<D>{});
+  } else if (time() >= motion.start) {
+    const double end = time() + settings_.time_step - motion.start;
     const double pull = motion.force + motion.stiffness * (motion.speed * end - state.displacement);
     inverse_mass = 1.0 / (motion.mass + kick * (motion.drag + motion.stiffness * settings_.time_step));
     state.speed = inverse_mass * (motion.mass * state.speed + kick * pull);
@@ -194,7 +208,7 @@ bool ContactDynamics<D>::move(Grains<D>& grains) {
 template <int D>
 std::vector<WallNow<D>> ContactDynamics<D>::walls_now() const {
   std::vector<WallNow<D>> all;
-  for (std::size_t w = 0; w < walls_.size(); ++w) all.push_back(wall_now(settings_.walls[w], walls_[w], now()));
+  for (std::size_t w = 0; w < walls_.size(); ++w) all.push_back(wall_now(settings_.walls[w], walls_[w], time()));
   return all;
 }
 
@@ -218,29 +232,11 @@ Contacts<D> ContactDynamics<D>::contacts(const Grains<D>& grains) const {
     if (!(c.impulse.normal > 0.0) || c.first >= grains.size()) continue;
     const bool with_wall = c.second >= known_;
     const bool swap = !with_wall && grains.id[c.second] < grains.id[c.first];
-    const auto& first = grains.line[swap ? c.second : c.first];
-    Contact<D> contact;
-    contact.first = swap ? grains.id[c.second] : grains.id[c.first];
-    contact.first_lever = c.lever * first.radius;
-    if (with_wall) {
-      const auto w = c.second - known_;
-      const auto& wall = settings_.walls[w];
-      const Vec<D> from_point = wall.finite() ? separation(first.position, walls[w].point, settings_.box)
-                                              : Vec<D>(first.position - walls[w].point);
-      const auto place = above(wall, from_point);
-      contact.second = plane_partner(static_cast<std::int64_t>(w));
-      contact.normal = place.normal;
-      contact.overlap = (wall.smooth ? 2.0 : 1.0) * first.radius - place.height;
-      contact.relative_overlap = contact.overlap / (2.0 * first.radius);
-    } else {
-      const auto& second = grains.line[swap ? c.first : c.second];
-      const Vec<D> d = separation(first.position, second.position, settings_.box);
-      const double distance = magnitude(d);
-      contact.second = swap ? grains.id[c.first] : grains.id[c.second];
-      contact.normal = d * (1.0 / distance);
-      contact.overlap = first.radius + second.radius - distance;
-      contact.relative_overlap = contact.overlap / (first.radius + second.radius);
-    }
+    const auto first = swap ? c.second : c.first;
+    const auto w = c.second - known_;
+    auto contact = with_wall ? contact_with_wall(grains, first, settings_.walls, w, walls[w], settings_.box)
+                             : contact_of_grains(grains, first, swap ? c.first : c.second, settings_.box);
+    contact.first_lever = c.lever * grains.line[first].radius;
     const double limit = friction_limit(c.friction, c.impulse.normal);
     contact.normal_force = c.impulse.normal * rate;
     contact.tangential_force = (swap ? swapped(c.impulse.tangent) : c.impulse.tangent) * rate;
@@ -276,7 +272,7 @@ void ContactDynamics<D>::set_histories(const Grains<D>& grains, const Contacts<D
 }
 
 template <int D>
-std::vector<Vec<D>> ContactDynamics<D>::taken_wall_impulses() {
+std::vector<Vec<D>> ContactDynamics<D>::take_wall_impulses() {
   return std::exchange(wall_impulses_, std::vector<Vec<D>>(walls_.size()));
 }
 

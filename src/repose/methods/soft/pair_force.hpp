@@ -48,8 +48,8 @@ REPOSE_FN PairGeometry<D> pair_geometry(const Grain<D>& a, const Grain<D>& b, co
 
 /// What the forces of a contact do to its grains, of these radii.
 template <int D, bool Full>
-REPOSE_FN void set_push(const PairGeometry<D>& pair, const ContactForce<Tangent<D>>& force, double radius,
-                        double back_radius, Push<D, Full>& push) {
+REPOSE_FN void to_push(const PairGeometry<D>& pair, const ContactForce<Tangent<D>>& force, double radius,
+                       double back_radius, Push<D, Full>& push) {
   const Vec<D> friction = in_space(force.tangential, pair.normal);
   push.force = pair.normal * (force.normal.total - force.attraction) + friction;
   push.rim_torque = normal_cross(pair.normal, force.tangential) * -pair.lever;
@@ -80,7 +80,7 @@ REPOSE_FN bool pair_force(const Law& law, const Grain<D>& a, const Grain<D>& b, 
   const auto force = contact_force(law, pair.touch, pair.slip_velocity, pair.roll_velocity, dt, history);
   slip = history.slip;
   if constexpr (Full) roll = history.roll;
-  set_push(pair, force, a.radius, b.radius, push);
+  to_push(pair, force, a.radius, b.radius, push);
   return true;
 }
 

@@ -51,8 +51,12 @@ class Soft final : public Method<D> {
     refresh_pairs(grains, team);
   }
 
-  StepReport advance(Grains<D>& grains, long steps, Team& team) override {
+  TimeSteps time_steps() const override { return {settings_.time_step, true}; }
+  double time() const override { return time_steps().after(step_); }
+
+  StepReport advance(Grains<D>& grains, double until, Team& team) override {
     StepReport report;
+    const long steps = time_steps().count(until) - step_;
     while (report.steps < steps && !report.trouble) {
       refresh_pairs(grains, team);
       const long before = report.steps;
@@ -78,19 +82,18 @@ class Soft final : public Method<D> {
         }
         if (team.size() > 1) team.wait();
         if (member != 0) return;
-        pairs_.moved(travelled - pairs_.travelled());
+        pairs_.set_travelled(travelled);
         walls_ = mine.walls;
         report.steps = done;
         report.trouble = trouble;
       });
       step_ += report.steps - before;
     }
+    report.time = time();
     return report;
   }
 
   Contacts<D> contacts(const Grains<D>& grains) const override;
-
-  double time_step() const override { return settings_.time_step; }
 
   void set_loads(const std::vector<Load<D>>& loads) override {
     loads_ = loads;
@@ -101,7 +104,7 @@ class Soft final : public Method<D> {
   void set_histories(const Grains<D>& grains, const Contacts<D>& contacts) override;
 
   const std::vector<WallState>& walls() const override { return walls_; }
-  std::vector<Vec<D>> taken_wall_impulses() override { return wall_list_.taken_impulses(walls_.size()); }
+  std::vector<Vec<D>> take_wall_impulses() override { return wall_list_.take_impulses(walls_.size()); }
   Energy energy(const Grains<D>& grains) const override;
 
   void exchange(Archive& archive) override {
@@ -137,11 +140,9 @@ class Soft final : public Method<D> {
   /// How far velocities are behind positions [T]: half a step, except at the start of time.
   double behind() const { return step_ > 0 ? 0.5 * settings_.time_step : 0.0; }
 
-  double now() const { return static_cast<double>(step_) * settings_.time_step; }
-
   std::vector<WallNow<D>> walls_now() const {
     std::vector<WallNow<D>> all;
-    for (std::size_t w = 0; w < walls_.size(); ++w) all.push_back(wall_now(settings_.walls[w], walls_[w], now()));
+    for (std::size_t w = 0; w < walls_.size(); ++w) all.push_back(wall_now(settings_.walls[w], walls_[w], time()));
     return all;
   }
 
@@ -220,7 +221,9 @@ class Soft final : public Method<D> {
   /// Whether the sweep must do more for a grain than move it.
   bool is_special(const Grains<D>& grains, std::uint32_t i) const {
     const bool near_wall = wall_list_.any() && wall_list_.row_start[i] != wall_list_.row_start[i + 1];
-    const bool loaded = std::any_of(loaded_.begin(), loaded_.end(), [&](const auto& grain) { return grain.i == i; });
+    const auto place = std::lower_bound(loaded_.begin(), loaded_.end(), i,
+                                        [](const auto& grain, std::uint32_t row) { return grain.i < row; });
+    const bool loaded = place != loaded_.end() && place->i == i;
     return grains.line[i].fixed() || near_wall || loaded;
   }
 

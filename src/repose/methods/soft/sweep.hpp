@@ -134,7 +134,7 @@ WallPush<D, Full> push_of_walls(const SweepInput<D, Law>& in, const Grains<D>& g
     contact.slip = history.slip;
     contact.roll = history.roll;
     Push<D, Full> push;
-    set_push(pair, force, grain.radius, grain.radius, push);
+    to_push(pair, force, grain.radius, grain.radius, push);
     contact.force = push.force;
     contact.impulse += push.force * dt;
     sum.all.force += push.force;
