@@ -44,12 +44,14 @@ class RunFolder {
   /// Writes the present state and its analysis. Throws RunError; the files of an earlier state stay then.
   void write(const Simulation& simulation, const Written& written = {});
 
+  /// Writes a checkpoint if one is due by wall time, or `now`. Throws RunError; an older checkpoint stays then.
+  void keep(Simulation& simulation, bool now);
+
   const std::string& path() const { return path_; }
 
  private:
   class Frames;
 
-  void keep(Simulation& simulation, bool now);
   void write_track(const Simulation& simulation);
   void write_frame(const Record& record);
   void write_run(const Record& record, const Written& written = {});
