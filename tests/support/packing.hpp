@@ -65,7 +65,7 @@ inline LatticePile lattice_pile(int rows) {
       } else {
         Contact<2> ground;
         ground.first = pile.grains.id[at(r, j)];
-        ground.second = plane_partner(0);
+        ground.second = wall_partner(0);
         ground.normal = {{0.0, 1.0}};
         ground.first_lever = 0.5;
         ground.normal_force = 0.5 * (on_left + on_right);

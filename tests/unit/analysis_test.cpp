@@ -232,7 +232,7 @@ TEST(ForceNetwork, HandMade) {
   for (int k = 0; k < 4; ++k) grains.add(unit_disc(k, 0.5), k);
   Contacts<2> contacts;
   contacts.list = {contact(0, 1, {{-1, 0}}, 1.0), contact(1, 2, {{-1, 0}}, 1.0), contact(2, 3, {{-1, 0}}, 0.1)};
-  for (int k = 0; k < 3; ++k) contacts.list.push_back(contact(k, plane_partner(0), {{0, 1}}, 1.0));
+  for (int k = 0; k < 3; ++k) contacts.list.push_back(contact(k, wall_partner(0), {{0, 1}}, 1.0));
   const auto heap = supported(grains, contacts);
   const auto network = measure_force_network(grains, contacts, heap, 0.2);
   EXPECT_EQ(network.contacts, 5U);

@@ -53,20 +53,20 @@ struct Network {
     add_disc(grains, 9, 1.0, 3.0);
     add_disc(grains, 10, 2.0, 2.0);
     contacts.list = {
-        contact(0, 2, {{0.0, -1.0}}, 4.0),                // row 0
-        contact(0, 5, {{-0.8, -0.6}}, 3.0),               // row 1
-        contact(2, 3, {{0.0, -1.0}}, 4.0),                // row 2
-        contact(3, 4, {{0.0, -1.0}}, 4.0),                // row 3
-        contact(4, 9, {{-1.0, 0.0}}, 2.0),                // row 4, weak
-        contact(4, 11, {{-1.0, 0.0}}, 0.1),               // row 5
-        contact(5, 6, {{-0.8, -0.6}}, 3.0),               // row 6
-        contact(6, 10, {{-0.6, -0.8}}, 0.5),              // row 7, weak
-        contact(7, plane_partner(0), {{0.0, 1.0}}, 2.5),  // row 8
-        contact(7, 8, {{-1.0, 0.0}}, 0.5),                // row 9, weak
-        contact(8, plane_partner(0), {{0.0, 1.0}}, 2.5),  // row 10
-        contact(9, 10, {{-1.0, 0.0}}, 0.1),               // row 11
-        contact(9, 11, {{-1.0, 0.0}}, 0.1),               // row 12
-        contact(10, 11, {{-1.0, 0.0}}, 0.5)               // row 13, weak
+        contact(0, 2, {{0.0, -1.0}}, 4.0),               // row 0
+        contact(0, 5, {{-0.8, -0.6}}, 3.0),              // row 1
+        contact(2, 3, {{0.0, -1.0}}, 4.0),               // row 2
+        contact(3, 4, {{0.0, -1.0}}, 4.0),               // row 3
+        contact(4, 9, {{-1.0, 0.0}}, 2.0),               // row 4, weak
+        contact(4, 11, {{-1.0, 0.0}}, 0.1),              // row 5
+        contact(5, 6, {{-0.8, -0.6}}, 3.0),              // row 6
+        contact(6, 10, {{-0.6, -0.8}}, 0.5),             // row 7, weak
+        contact(7, wall_partner(0), {{0.0, 1.0}}, 2.5),  // row 8
+        contact(7, 8, {{-1.0, 0.0}}, 0.5),               // row 9, weak
+        contact(8, wall_partner(0), {{0.0, 1.0}}, 2.5),  // row 10
+        contact(9, 10, {{-1.0, 0.0}}, 0.1),              // row 11
+        contact(9, 11, {{-1.0, 0.0}}, 0.1),              // row 12
+        contact(10, 11, {{-1.0, 0.0}}, 0.5)              // row 13, weak
     };
   }
 };
@@ -144,7 +144,7 @@ TEST(Chains, Direction) {
   Grains<2> grains;
   add_disc(grains, 0, 0.0, 0.0);
   Contacts<2> contacts;
-  contacts.list = {contact(0, plane_partner(0), {{-1e-17, 1.0}}, 2.0), contact(0, plane_partner(1), {{1, 0}}, 1.0)};
+  contacts.list = {contact(0, wall_partner(0), {{-1e-17, 1.0}}, 2.0), contact(0, wall_partner(1), {{1, 0}}, 1.0)};
   EXPECT_EQ(find_chains(grains, contacts, 0.0, Box<2>{}).list.at(0).direction_deg, 90.0);
 }
 
@@ -157,7 +157,7 @@ TEST(Chains, AcrossTheSideOfAPeriodicBox) {
   add_disc(grains, 2, 9.5, 1.0);
   Contacts<2> contacts;
   contacts.list = {contact(0, 1, {{-0.8, -0.6}}, 3.0), contact(0, 2, {{1.0, 0.0}}, 3.0),
-                   contact(1, plane_partner(0), {{0.0, 1.0}}, 1.0)};
+                   contact(1, wall_partner(0), {{0.0, 1.0}}, 1.0)};
   Box<2> box;
   box.x_min = 0.0;
   box.x_max = 10.0;

@@ -87,7 +87,7 @@ void check_against_brute_force(std::uint64_t seed, int count, double width, bool
   PairList<D> pairs({.cutoff = cutoff, .skin = 0.3, .horizon = horizon, .gravity = 0.0});
   Team team(2);
   for (int step = 0; step < 40; ++step) {
-    if (pairs.suspect() && pairs.stale(grains)) pairs.build(grains, box, team);
+    if (pairs.may_be_stale() && pairs.stale(grains)) pairs.build(grains, box, team);
     const auto all = listed(grains, pairs);
     for (const auto& pair : touching(grains, box, cutoff)) {
       ASSERT_TRUE(all.contains(pair)) << "pair " << pair.first << ", " << pair.second << " missed in step " << step;
@@ -136,7 +136,7 @@ void check_history() {
       } else {
         mark = {{static_cast<double>(k + 1), 1.0, -2.0}};
       }
-      pairs.history[k] = mark;
+      pairs.slip[k] = mark;
       by_pair[{std::min(a, b), std::max(a, b)}] = a < b ? mark : swapped(mark);
     }
   }
@@ -152,7 +152,7 @@ void check_history() {
         const auto b = grains.id[pairs.partner[k]];
         swaps += a > b ? 1 : 0;
         const IdPair pair{std::min(a, b), std::max(a, b)};
-        now[pair] = a < b ? pairs.history[k] : swapped(pairs.history[k]);
+        now[pair] = a < b ? pairs.slip[k] : swapped(pairs.slip[k]);
         const auto before = by_pair.find(pair);
         EXPECT_EQ(now[pair], before != by_pair.end() ? before->second : Tangent<D>{});
         ++compared;
@@ -185,7 +185,7 @@ TEST(PairList, FreeFlightForcesNoRebuild) {
     Team team(1);
     const double dt = 0.001;
     for (int step = 0; step < 12000; ++step) {
-      if (pairs.suspect() && pairs.stale(grains)) pairs.build(grains, Box<2>{}, team);
+      if (pairs.may_be_stale() && pairs.stale(grains)) pairs.build(grains, Box<2>{}, team);
       for (auto& grain : grains.line) {
         if (grain.position[1] < 50.0) continue;
         grain.velocity[1] -= dt;

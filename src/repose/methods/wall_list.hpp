@@ -52,7 +52,7 @@ class WallList {
     for (std::size_t i = 0; i < grains.size(); ++i) {
       const auto& grain = grains.line[i];
       for (std::uint32_t w = 0; w < walls.size() && !grain.fixed(); ++w) {
-        if (!now[w].there) continue;
+        if (!now[w].present) continue;
         const auto& wall = walls[w];
         const Vec<D> from_point =
             wall.finite() ? separation(grain.position, now[w].point, box) : Vec<D>(grain.position - now[w].point);

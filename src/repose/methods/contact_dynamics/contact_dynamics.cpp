@@ -73,7 +73,7 @@ void ContactDynamics<D>::refresh_pairs(Grains<D>& grains, Team& team) {
     wall_way = std::max(wall_way, gone + dt * std::fabs(walls_[w].speed));
   }
   pairs_.moved(dt * std::sqrt(fastest2));
-  if (pairs_.suspect() && pairs_.stale(grains, wall_way, dt)) build_pairs(grains, team);
+  if (pairs_.may_be_stale() && pairs_.stale(grains, wall_way, dt)) build_pairs(grains, team);
 }
 
 template <int D>
@@ -228,7 +228,7 @@ Contacts<D> ContactDynamics<D>::contacts(const Grains<D>& grains) const {
       const Vec<D> from_point = wall.finite() ? separation(first.position, walls[w].point, settings_.box)
                                               : Vec<D>(first.position - walls[w].point);
       const auto place = above(wall, from_point);
-      contact.second = plane_partner(static_cast<std::int64_t>(w));
+      contact.second = wall_partner(static_cast<std::int64_t>(w));
       contact.normal = place.normal;
       contact.overlap = (wall.smooth ? 2.0 : 1.0) * first.radius - place.height;
       contact.relative_overlap = contact.overlap / (2.0 * first.radius);

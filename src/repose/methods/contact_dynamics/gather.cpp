@@ -61,7 +61,7 @@ class Gathering {
     const auto& a = grains_.line[i];
     const auto& wall = scenery_.settings.walls[w];
     const auto& now = scenery_.walls[w];
-    if (!now.there) return;
+    if (!now.present) return;
     const Vec<D> from_point =
         wall.finite() ? separation(a.position, now.point, scenery_.settings.box) : Vec<D>(a.position - now.point);
     const auto place = above(wall, from_point);

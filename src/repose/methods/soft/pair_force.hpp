@@ -102,7 +102,7 @@ REPOSE_FN bool wall_geometry(const Law& law, const Grain<D>& a, const Wall<D>& w
   const auto place = above(wall, from_point);
   const double distance = wall.smooth ? place.height : place.height + a.radius;
   const double within = reach(law.normal) * diameter;
-  if (!now.there || distance >= within) return false;
+  if (!now.present || distance >= within) return false;
   const Vec<D> relative = a.velocity - now.velocity;
   const Tangent<D> slip = tangential(relative, place.normal) - spin_cross(a.rim_velocity, place.normal);
   pair = {

@@ -154,7 +154,7 @@ class Soft final : public Method<D> {
   }
 
   void refresh_pairs(Grains<D>& grains, Team& team) {
-    if (!pairs_.suspect() || !pairs_.stale(grains, furthest_wall())) return;
+    if (!pairs_.may_be_stale() || !pairs_.stale(grains, furthest_wall())) return;
     if (settings_.audit) close_work(grains);
     const auto order = pairs_.build(grains, settings_.box, team);
     known_ = grains.size();
@@ -278,7 +278,7 @@ void Soft<D, Law, Full>::for_every_contact(const Grains<D>& grains, double back,
       if (dot(d, d) >= within * within) continue;
       const auto pair = soft::pair_geometry(first, second, d, dot(d, d), within);
       ContactHistory<Tangent<D>> history;
-      history.slip = turned(swap ? swapped(pairs_.history[k]) : pairs_.history[k], pair.normal);
+      history.slip = turned(swap ? swapped(pairs_.slip[k]) : pairs_.slip[k], pair.normal);
       if constexpr (Full) history.roll = turned(swap ? -pairs_.roll[k] : pairs_.roll[k], pair.normal);
       const auto force = contact_force(law, pair.touch, pair.slip_velocity, pair.roll_velocity, back, history);
       use(grains.id[a], grains.id[b], law, pair, force, history, pair.lever * first.radius);
@@ -298,7 +298,7 @@ void Soft<D, Law, Full>::for_every_contact(const Grains<D>& grains, double back,
       if (!soft::wall_geometry(law, grain, wall, place, settings_.box, pair)) continue;
       ContactHistory<Tangent<D>> history{turned(contact.slip, pair.normal), turned(contact.roll, pair.normal)};
       const auto force = soft::wall_contact(law, wall, pair, back, history);
-      use(grains.id[i], plane_partner(contact.wall), law, pair, force, history, grain.radius);
+      use(grains.id[i], wall_partner(contact.wall), law, pair, force, history, grain.radius);
     }
   }
 }
@@ -332,12 +332,12 @@ void Soft<D, Law, Full>::set_histories(const Grains<D>& grains, const Contacts<D
     for (auto k = pairs_.row_start[i]; k < pairs_.row_start[i + 1]; ++k) {
       const auto a = grains.id[i];
       const auto b = grains.id[pairs_.partner[k]];
-      pairs_.history[k] = b < a ? swapped(of(b, a)) : of(a, b);
+      pairs_.slip[k] = b < a ? swapped(of(b, a)) : of(a, b);
     }
     if (!wall_list_.any()) continue;
     for (auto k = wall_list_.row_start[i]; k < wall_list_.row_start[i + 1]; ++k) {
       auto& contact = wall_list_.pairs[k];
-      contact.slip = of(grains.id[i], plane_partner(contact.wall));
+      contact.slip = of(grains.id[i], wall_partner(contact.wall));
     }
   }
   account_for_start(grains);

@@ -43,7 +43,7 @@ void push_edges(const SweepInput<D, Law>& in, const Grains<D>& grains, Share<D, 
     const auto j = in.pairs.partner[k];
     share.edge_push[e] = {};
     pair_force<Periodic>(in.laws.of(grains.material[i], grains.material[j]), grains.line[i], grains.line[j],
-                         in.settings.box, in.settings.time_step, in.pairs.history[k], Full ? in.pairs.roll[k] : no_roll,
+                         in.settings.box, in.settings.time_step, in.pairs.slip[k], Full ? in.pairs.roll[k] : no_roll,
                          share.edge_push[e]);
   }
 }
@@ -215,7 +215,7 @@ void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Sha
   const double dt = in.settings.time_step;
   const std::uint32_t* const row_start = in.pairs.row_start.data();
   const std::uint32_t* const partner = in.pairs.partner.data();
-  Tangent<D>* const history = in.pairs.history.data();
+  Tangent<D>* const history = in.pairs.slip.data();
   [[maybe_unused]] Tangent<D>* const roll = in.pairs.roll.data();
   Grain<D>* const line = grains.line.data();
   Slot<D, Full>* const ring = mine.ring.data();
