@@ -64,15 +64,15 @@ TEST(ContactGraph, the_gap_is_in_mean_diameters_of_the_pair) {
   EXPECT_EQ(contact_graph(discs, box, 1.1e-4).contacts(), 2u);
 }
 
-TEST(ContactGraph, planes_count_as_neighbours) {
+TEST(ContactGraph, walls_count_as_neighbours) {
   Discs discs;
   discs.add({{0.5, 0.5}}, 0.5);
   discs.add({{2.0, 0.5 + 1e-6}}, 0.5);
   discs.add({{9.5, 3.0}}, 0.5);
-  const Planes planes{0.0, 0.0, 10.0};
-  EXPECT_EQ(plane_contacts(discs, planes, 1e-9), (std::vector<std::uint8_t>{2, 0, 1}));
-  EXPECT_EQ(plane_contacts(discs, planes, 1e-5), (std::vector<std::uint8_t>{2, 1, 1}));
-  EXPECT_EQ(plane_contacts(discs, {}, 1e-5), (std::vector<std::uint8_t>{0, 0, 0}));
+  const PackingWalls walls{0.0, 0.0, 10.0};
+  EXPECT_EQ(wall_contacts(discs, walls, 1e-9), (std::vector<std::uint8_t>{2, 0, 1}));
+  EXPECT_EQ(wall_contacts(discs, walls, 1e-5), (std::vector<std::uint8_t>{2, 1, 1}));
+  EXPECT_EQ(wall_contacts(discs, {}, 1e-5), (std::vector<std::uint8_t>{0, 0, 0}));
 }
 
 TEST(ContactGraph, rattlers_go_one_after_another) {
@@ -85,9 +85,9 @@ TEST(ContactGraph, rattlers_go_one_after_another) {
   discs.add({{1.5, rise + 2.0}}, 0.5);
   discs.add({{6.0, 5.0}}, 0.5);
   const auto graph = contact_graph(discs, sides(10.0, false), 1e-9);
-  const std::vector<std::uint8_t> no_planes(discs.size(), 0);
-  EXPECT_EQ(rattlers(discs, graph, no_planes), (std::vector<std::uint8_t>{0, 0, 0, 0, 1, 1, 1}));
-  EXPECT_EQ(rattlers(discs, graph, no_planes, 1), (std::vector<std::uint8_t>{0, 0, 0, 0, 0, 0, 1}));
+  const std::vector<std::uint8_t> no_walls(discs.size(), 0);
+  EXPECT_EQ(rattlers(discs, graph, no_walls), (std::vector<std::uint8_t>{0, 0, 0, 0, 1, 1, 1}));
+  EXPECT_EQ(rattlers(discs, graph, no_walls, 1), (std::vector<std::uint8_t>{0, 0, 0, 0, 0, 0, 1}));
   // A wall beside the end of the chain holds the whole chain.
   std::vector<std::uint8_t> wall(discs.size(), 0);
   wall[5] = 1;

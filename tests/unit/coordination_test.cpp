@@ -11,8 +11,8 @@ namespace {
 
 Coordination read(const Discs& discs, const Slab& slab, std::size_t blocks = 4) {
   const auto graph = contact_graph(discs, slab.box, 1e-9);
-  const std::vector<std::uint8_t> on_planes(discs.size(), 0);
-  return read_coordination(discs, graph, on_planes, rattlers(discs, graph, on_planes), slab, blocks);
+  const std::vector<std::uint8_t> on_walls(discs.size(), 0);
+  return measure_coordination(discs, graph, on_walls, rattlers(discs, graph, on_walls), slab, blocks);
 }
 
 TEST(Coordination, of_lattices_is_exact) {

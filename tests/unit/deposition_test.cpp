@@ -66,17 +66,17 @@ struct Packer {
     return grains;
   }
 
-  Planes planes() const {
-    Planes planes;
-    if (flat) planes.floor = 0.0;
-    if (!periodic) planes.left = 0.0;
-    if (!periodic) planes.right = width;
-    return planes;
+  PackingWalls walls() const {
+    PackingWalls walls;
+    if (flat) walls.floor = 0.0;
+    if (!periodic) walls.left = 0.0;
+    if (!periodic) walls.right = width;
+    return walls;
   }
 
   Packing measured() const {
     PackingOptions options;
-    options.planes = planes();
+    options.walls = walls();
     if (flat) options.slab.base_height = 0.5;
     const auto grains = pack();
     return analyse_packing(discs_of(grains, settings().box), settings().box, options).packing.value();
@@ -124,7 +124,7 @@ TEST(Deposition, EveryDiscRestsWithoutOverlap) {
         const auto discs = discs_of(grains, box);
         constexpr double gap = 1e-9;
         const auto graph = contact_graph(discs, box, gap);
-        const auto breaks = breaks_sticking_rule(discs, box, graph, packer.planes(), gap, angle);
+        const auto breaks = breaks_sticking_rule(discs, box, graph, packer.walls(), gap, angle);
         EXPECT_EQ(std::count(breaks.begin(), breaks.end(), 1), 0) << spread << " " << angle << " " << kind;
         EXPECT_LT(deepest_overlap(discs, box, graph), 1e-12) << spread << " " << angle << " " << kind;
       }

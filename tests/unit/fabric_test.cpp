@@ -13,7 +13,7 @@ namespace repose {
 namespace {
 
 Fabric read(const Discs& discs, const Slab& slab, std::size_t bins = 36) {
-  const auto fabric = read_fabric(discs, contact_graph(discs, slab.box, 1e-9), slab, bins, 4);
+  const auto fabric = measure_fabric(discs, contact_graph(discs, slab.box, 1e-9), slab, bins, 4);
   EXPECT_TRUE(fabric);
   return fabric.value_or(Fabric{});
 }
@@ -133,8 +133,8 @@ TEST(Fabric, contacts_count_by_their_contact_point) {
   discs.add({{10.0, 4.0}}, 3.0);
   const auto box = sides(20.0);
   const auto graph = contact_graph(discs, box, 1e-9);
-  EXPECT_TRUE(read_fabric(discs, graph, slab_between(0.9, 1.1, box), 36, 2));
-  EXPECT_FALSE(read_fabric(discs, graph, slab_between(1.1, 4.1, box), 36, 2));
+  EXPECT_TRUE(measure_fabric(discs, graph, slab_between(0.9, 1.1, box), 36, 2));
+  EXPECT_FALSE(measure_fabric(discs, graph, slab_between(1.1, 4.1, box), 36, 2));
 }
 
 TEST(Fabric, of_sticking_discs_is_that_of_the_notes) {

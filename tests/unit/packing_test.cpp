@@ -63,7 +63,7 @@ TEST(PackingSlab, says_why_there_is_none) {
   EXPECT_EQ(problem(base, box), "nothing was deposited");
   Discs afloat;
   afloat.add({{1.0, 5.0}}, 0.5);
-  EXPECT_EQ(problem(afloat, box), "there is no base disc: the height of the base must be given");
+  EXPECT_EQ(problem(afloat, box), "without base discs the height of the base must be given");
   PackingOptions on_floor;
   on_floor.slab.base_height = 0.5;
   EXPECT_TRUE(analyse_packing(afloat, box, on_floor).packing);
@@ -77,9 +77,9 @@ TEST(PackingSlab, says_why_there_is_none) {
   PackingOptions empty;
   empty.slab.low = empty.slab.high = 1.0;
   EXPECT_EQ(problem(ends, box, empty), "the slab from 1 to 1 mean heights is empty");
-  EXPECT_EQ(problem(ends, Box<2>{}), "the packing has no sides: it needs a periodic box or side walls");
+  EXPECT_EQ(problem(ends, Box<2>{}), "the packing is unbounded in x: it needs a periodic box or side walls");
   ends.add({{1.0, std::numeric_limits<double>::quiet_NaN()}}, 0.5);
-  EXPECT_EQ(problem(ends, box), "disc 3 has no place or no radius");
+  EXPECT_EQ(problem(ends, box), "disc 3 has no finite position or no positive radius");
   PackingOptions wrong;
   wrong.gap = -1.0;
   EXPECT_EQ(problem(ends, box, wrong), "gap must be >= 0; column, bin_width and strip must be > 0");
@@ -149,7 +149,7 @@ TEST(Packing, a_floor_and_walls_count_as_neighbours) {
   const auto apart = read(discs, box, options);
   EXPECT_EQ(apart.coordination.discs, 6u * 6u);
   EXPECT_NEAR(apart.coordination.mean.mean, (36 * 4 - 2 * 6 - 6) / 36.0, 1e-14);
-  options.planes = {0.0, 0.0, 6.0};
+  options.walls = {0.0, 0.0, 6.0};
   EXPECT_EQ(read(discs, box, options).coordination.mean.mean, 4.0);
 }
 

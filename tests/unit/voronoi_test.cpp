@@ -69,7 +69,7 @@ Outline cut_off_polygon(double largest) {
 }
 
 /// Cell of grain k about its centre: the cut-off polygon clipped by every image of every other grain.
-Outline by_brute_force(const Grains<2>& grains, const std::vector<bool>& in_heap, const std::vector<Edge>& edges,
+Outline by_brute_force(const Grains<2>& grains, const std::vector<bool>& in_heap, const std::vector<FlatWall>& walls,
                        const Box<2>& box, std::size_t k) {
   double largest = 0.0;
   for (std::size_t j = 0; j < grains.size(); ++j)
@@ -88,7 +88,7 @@ Outline by_brute_force(const Grains<2>& grains, const std::vector<bool>& in_heap
           clipped(outline, offset, 0.5 * (squared(offset) + own.radius * own.radius - other.radius * other.radius));
     }
   }
-  for (const auto& edge : edges) outline = clipped(outline, -edge.normal, dot(own.position - edge.point, edge.normal));
+  for (const auto& wall : walls) outline = clipped(outline, -wall.normal, dot(own.position - wall.point, wall.normal));
   return outline;
 }
 
@@ -105,21 +105,21 @@ Grains<2> scattered(int columns, int rows, double spacing, std::uint64_t seed) {
   return grains;
 }
 
-std::vector<Edge> floor_and_lid(double height) {
+std::vector<FlatWall> floor_and_lid(double height) {
   return {{{{3.0, 0.0}}, {{0.0, 1.0}}}, {{{-1.0, height}}, {{0.0, -1.0}}}};
 }
 
 /// Largest difference of area and of vertices from brute force; each cell's outline must be its area's.
-void expect_brute_force(const Grains<2>& grains, const std::vector<bool>& in_heap, const std::vector<Edge>& edges,
+void expect_brute_force(const Grains<2>& grains, const std::vector<bool>& in_heap, const std::vector<FlatWall>& walls,
                         const Box<2>& box) {
-  const auto cells = voronoi(grains, in_heap, edges, box);
+  const auto cells = voronoi(grains, in_heap, walls, box);
   std::size_t next = 0;
   for (const auto k : by_id(grains)) {
     if (!in_heap[k]) continue;
     ASSERT_LT(next, cells.size());
     const auto& cell = cells[next++];
     ASSERT_EQ(cell.id, grains.id[k]);
-    const double area = area_of(by_brute_force(grains, in_heap, edges, box, k));
+    const double area = area_of(by_brute_force(grains, in_heap, walls, box, k));
     EXPECT_NEAR(cell.area, area, 1e-10) << cell.id;
     EXPECT_NEAR(area_of(cell.vertices), area, 1e-10) << cell.id;
     if (area > 0.0) {
@@ -201,12 +201,12 @@ TEST(Voronoi, EdgesCutAndClose) {
   grains.add(disc(0.0, 0.0), 0);
   const double diagonal = std::sqrt(0.5);
   // A corner of two slopes, 0.6 and 0.5 from the centre, under a lid at 0.7.
-  std::vector<Edge> edges{{{{0.0, -0.6 / diagonal}}, {{diagonal, diagonal}}},
-                          {{{0.0, -0.5 / diagonal}}, {{-diagonal, diagonal}}}};
-  const auto open = voronoi(grains, all(grains), edges, {});
+  std::vector<FlatWall> walls{{{{0.0, -0.6 / diagonal}}, {{diagonal, diagonal}}},
+                              {{{0.0, -0.5 / diagonal}}, {{-diagonal, diagonal}}}};
+  const auto open = voronoi(grains, all(grains), walls, {});
   EXPECT_FALSE(open[0].closed);
-  edges.push_back({{{0.0, 0.4}}, {{0.0, -1.0}}});
-  const auto shut = voronoi(grains, all(grains), edges, {});
+  walls.push_back({{{0.0, 0.4}}, {{0.0, -1.0}}});
+  const auto shut = voronoi(grains, all(grains), walls, {});
   EXPECT_TRUE(shut[0].closed);
   ASSERT_EQ(shut[0].vertices.size(), 3U);
   const double depth = 0.4 + (0.6 + 0.5) * diagonal;  // of the right-angled corner below the lid
