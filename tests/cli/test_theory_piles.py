@@ -116,7 +116,7 @@ def test_osl_field_is_in_equilibrium(lab):
         ("pile-tent", ("break_at=0.51",), "break_at = 0.51: must be > 0 and <= 0.5 (B)"),
         ("osl", ("model=arch",), "model = arch: must be fpa | bcc | ife | custom"),
         ("osl", ("slope_deg=31",), "slope_deg = 31: must be <= angle_deg = 30"),
-        ("osl", ("eta=1",), "eta = 1: only model = custom takes it"),
+        ("osl", ("eta=1",), "eta = 1: only for model = custom"),
         ("osl", ("model=custom", "eta=1"), "mu: must be given with model = custom"),
         ("osl", ("model=custom", "mu=0", "eta=-1"), "eta = -1: must be > 0"),
         ("osl", ("model=custom", "mu=3", "eta=1"), "mu = 3, eta = 1: 1 - mu T - eta T^2 = -1.06538 must be > 0"),
