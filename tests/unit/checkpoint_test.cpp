@@ -191,7 +191,8 @@ TEST_F(CheckpointTest, ArraysThatDoNotFitEachOtherAreRefused) {
     bring_back(path("kept.h5"), grains);
     FAIL() << "no error";
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("state/grains: does not fit the rest"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("state/grains: does not fit the rest of the state"), std::string::npos)
+        << error.what();
   }
 }
 
