@@ -18,7 +18,7 @@ namespace {
 struct alignas(64) Numbers {
   double of[pack_numbers] = {};
 };
-struct alignas(64) Shares {
+struct alignas(64) Fractions {
   double of[pack_lanes] = {};
 };
 
@@ -33,21 +33,21 @@ std::vector<std::size_t> order_of(const Packs& packs) {
   return order;
 }
 
-/// What Packs::sweep_to_and_fro does, one contact after the other. `shares` by index in the problem.
-void sweep_one_by_one(Problem<2>& problem, const std::vector<std::size_t>& order, const std::vector<double>& shares,
+/// What Packs::sweep_both_ways does, one contact after the other. `fractions` by index in the problem.
+void sweep_one_by_one(Problem<2>& problem, const std::vector<std::size_t>& order, const std::vector<double>& fractions,
                       std::vector<Impulse<2>>& changes) {
   const FreeBodies among;
   auto& bodies = problem.bodies;
   changes.assign(problem.contacts.size(), {});
   for (const auto k : order) {
     auto& c = problem.contacts[k];
-    relax_translation(among, shares[k], c, bodies[c.first], bodies[c.second], changes[k]);
+    relax_translation(among, fractions[k], c, bodies[c.first], bodies[c.second], changes[k]);
     if (problem.rolling) relax_roll(among, c, bodies[c.first], bodies[c.second], changes[k]);
   }
   for (auto k = order.rbegin(); k != order.rend(); ++k) {
     auto& c = problem.contacts[*k];
     if (problem.rolling) relax_roll(among, c, bodies[c.first], bodies[c.second], changes[*k]);
-    relax_translation(among, shares[*k], c, bodies[c.first], bodies[c.second], changes[*k]);
+    relax_translation(among, fractions[*k], c, bodies[c.first], bodies[c.second], changes[*k]);
   }
 }
 
@@ -72,14 +72,14 @@ void expect_same_bits(const Body<2>& a, const Body<2>& b, const std::string& wha
 void compare_sweeps(const Problem<2>& problem, bool partly, InstructionSet set) {
   Packs packs;
   packs.build(problem);
-  std::vector<double> share_of(problem.contacts.size(), 1.0);
-  std::vector<Shares> shares(packs.size());
+  std::vector<double> fraction_of(problem.contacts.size(), 1.0);
+  std::vector<Fractions> fractions(packs.size());
   for (std::size_t pack = 0; pack < packs.size(); ++pack) {
     for (std::size_t lane = 0; lane < pack_lanes; ++lane) {
       const auto k = packs.contact(pack, lane);
       if (k == Packs::none) continue;
-      if (partly) share_of[k] = 0.3 + 0.1 * static_cast<double>(k % 7);
-      shares[pack].of[lane] = share_of[k];
+      if (partly) fraction_of[k] = 0.3 + 0.1 * static_cast<double>(k % 7);
+      fractions[pack].of[lane] = fraction_of[k];
     }
   }
   auto expected = problem;
@@ -90,9 +90,9 @@ void compare_sweeps(const Problem<2>& problem, bool partly, InstructionSet set) 
   std::vector<Numbers> changes(packs.size());
   packs.load(found.contacts, impulses.front().of);
   for (int sweep = 0; sweep < 3; ++sweep) {
-    sweep_one_by_one(expected, order_of(packs), share_of, expected_changes);
-    packs.sweep_to_and_fro(impulses.front().of, found.bodies.data(), changes.front().of,
-                           partly ? shares.front().of : nullptr, problem.rolling, set);
+    sweep_one_by_one(expected, order_of(packs), fraction_of, expected_changes);
+    packs.sweep_both_ways(impulses.front().of, found.bodies.data(), changes.front().of,
+                          partly ? fractions.front().of : nullptr, problem.rolling, set);
   }
   packs.store(impulses.front().of, found.contacts);
   auto found_changes = problem.contacts;

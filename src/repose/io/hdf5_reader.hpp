@@ -12,13 +12,13 @@
 namespace repose {
 
 /// Whether a file must be sealed. Files that other programs may write have no seal.
-enum class Sealing { required, optional };
+enum class Sealing { mandatory, optional };
 
 /// Reads one HDF5 file after checking its seal. Links to other files are not checked: open those files instead. Every
 /// call throws InputError, one line with the file and the object, if something is missing, damaged or of another type.
 class Hdf5Reader {
  public:
-  explicit Hdf5Reader(std::string path, Sealing sealing = Sealing::required);
+  explicit Hdf5Reader(std::string path, Sealing sealing = Sealing::mandatory);
   ~Hdf5Reader();
   Hdf5Reader(const Hdf5Reader&) = delete;
   Hdf5Reader& operator=(const Hdf5Reader&) = delete;
