@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Models of columns, local stress and packings through the program: numbers of other derivations, and refusals."""
+"""Models of columns, local stress and packings through the program: numbers from other derivations, and refused input."""
 
 import csv
 import math
@@ -69,7 +69,7 @@ def test_janssen_discrete():
 
 
 def test_fit_of_the_discrete_model(tmp_path):
-    """Its own table, the names changed, with a column that the fit leaves alone."""
+    """The table of the discrete model with changed names, and with a column that the fit ignores."""
     for direction, ratio in (("rest", 0.91161), ("pushed-up", 1.11572)):
         text = repose("theory", "janssen-discrete", "--set", f"direction={direction}").stdout
         lines = text.replace("layer,force", "height,apparent_mass").splitlines()
@@ -85,7 +85,7 @@ def test_fit_of_the_discrete_model(tmp_path):
 
 
 def test_fit_of_the_example():
-    """One length does not describe the cells, two do, and the true lengths lie within two errors."""
+    """One length does not describe the cells, two lengths do, and the true lengths lie within two errors."""
     _, two = asked("janssen-fit", file=COLUMN, mass_per_height=3)
     _, one = asked("janssen-fit", file=COLUMN, mass_per_height=3, parameters=1)
     assert abs(two["lambda_1"] - 5) < 2 * two["lambda_1_error"]
@@ -180,8 +180,8 @@ def test_refused_files(tmp_path, text, complaint):
     assert line.removeprefix(str(file)).startswith(complaint), line
 
 
-def test_pictures_of_the_corners(tmp_path):
-    """No warning and a picture where a curve is a point, a limit infinite, or a dimension left out."""
+def test_pictures_of_limiting_cases(tmp_path):
+    """A picture without warnings if a curve is a point, a limit is infinite, or a dimension is left out."""
     corners = [
         ("janssen", ["friction=0"]),
         ("janssen", ["direction=pushed-up", "dimension=2", "overload=2"]),

@@ -27,7 +27,7 @@ TEST(Team, EveryMemberWorksAndWaits) {
   }
 }
 
-TEST(Team, SharesCoverEverythingOnce) {
+TEST(Team, RangesCoverEverythingOnce) {
   for (const std::size_t count : {0U, 1U, 5U, 64U, 1001U}) {
     for (const int members : {1, 2, 3, 7}) {
       std::size_t next = 0;

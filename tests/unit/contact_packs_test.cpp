@@ -22,7 +22,7 @@ struct alignas(64) Fractions {
   double of[pack_lanes] = {};
 };
 
-/// Indices of the contacts in the order of their packs.
+/// The indices of the contacts in the order of their packs.
 std::vector<std::size_t> order_of(const Packs& packs) {
   std::vector<std::size_t> order;
   for (std::size_t pack = 0; pack < packs.size(); ++pack) {
@@ -33,7 +33,7 @@ std::vector<std::size_t> order_of(const Packs& packs) {
   return order;
 }
 
-/// What Packs::sweep_both_ways does, one contact after the other. `fractions` by index in the problem.
+/// Does the same as Packs::sweep_both_ways, one contact after the other. `fractions` is by index in the problem.
 void sweep_one_by_one(Problem<2>& problem, const std::vector<std::size_t>& order, const std::vector<double>& fractions,
                       std::vector<Impulse<2>>& changes) {
   const FreeBodies among;
@@ -68,7 +68,7 @@ void expect_same_bits(const Body<2>& a, const Body<2>& b, const std::string& wha
   expect_same_bits(a.inverse_mass, b.inverse_mass, what + ", inverse mass");
 }
 
-/// Sweeps packs three times and compares with the contacts one by one.
+/// Sweeps the packs three times and compares with sweeps over single contacts.
 void compare_sweeps(const Problem<2>& problem, bool partly, InstructionSet set) {
   Packs packs;
   packs.build(problem);
@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(Every, PackedSweeps,
                          name_of);
 
 TEST(ContactPacks, NoMovingBodyTwiceAndEveryContactOnce) {
-  Packs packs;  // used again and again, as in a run
+  Packs packs;  // reused, as in a run
   for (const std::size_t contacts : {0u, 1u, 9u, 100u, 3000u, 40u}) {
     const auto problem = random_problem(3 + contacts / 2, contacts, false, 7);
     packs.build(problem);
@@ -161,7 +161,7 @@ TEST(ContactPacks, NoMovingBodyTwiceAndEveryContactOnce) {
   }
 }
 
-// A row of discs, each on the next: as many contacts as fit into a pack are there before a disc comes again.
+// A row of discs, each on the next: a pack is filled before a disc occurs again.
 TEST(ContactPacks, OfALongRowAreFull) {
   Problem<2> problem;
   for (std::uint32_t k = 0; k < 4001; ++k) {
@@ -193,8 +193,9 @@ TEST(ContactPacks, ImpulsesThereAndBack) {
   }
 }
 
-// The whole solver, acceleration and yielding included: in the order of the packs, single contacts come to the same.
-// Not to the bit: velocities are summed up from impulses in the order of the problem, which differs.
+// The whole solver, with acceleration and yielding: single contacts in the order of the packs give the same result.
+// They do not give the same bits, because velocities are computed from impulses in the order of the problem, which
+// differs.
 TEST(ContactPacks, SolverAgreesWithSingleContactsInTheirOrder) {
   for (const bool rolling : {false, true}) {
     auto packed = random_problem(160, 200, rolling, 5);

@@ -36,7 +36,7 @@ class GrainsFileTest : public ::testing::Test {
     return read_grains_file(path("f"));
   }
 
-  /// What a file is refused for, without its path, which each line must begin with.
+  /// The problems of a file, without its path, with which each line must begin.
   std::vector<std::string> refused(const std::string& text) const {
     try {
       read(text);
@@ -120,7 +120,7 @@ TEST_F(GrainsFileTest, ManyProblemsAreCounted) {
   EXPECT_EQ(lines[20], " and 13 more problems");
 }
 
-TEST_F(GrainsFileTest, FilesThatAreNoText) {
+TEST_F(GrainsFileTest, BinaryFilesAreRefused) {
   EXPECT_EQ(refused(std::string("x,y,radius\n\0", 12)),
             (Lines{" is binary; must be a table of text or a LAMMPS text dump"}));
   EXPECT_EQ(refused("\x89HDF\r\n\x1a\n"), (Lines{" is binary; must be a table of text or a LAMMPS text dump"}));
@@ -167,7 +167,7 @@ TEST_F(GrainsFileTest, TheLastSnapshotOfADumpCounts) {
   EXPECT_EQ(rows[0].position, (Vec<2>{{2.0, 3.0}}));
 }
 
-TEST_F(GrainsFileTest, ASnapshotOfADumpCanBeAskedFor) {
+TEST_F(GrainsFileTest, ASnapshotOfADumpCanBeChosen) {
   std::ofstream(path("f")) << snapshot("x y radius", "1 1 1\n", 1, 10) +
                                   snapshot("x y radius", "2 2 1\n3 3 1\n", 2, 20) +
                                   snapshot("x y radius", "bad 4 1\n", 1, 30) + "ITEM: TIMESTEP\n40\n";
@@ -216,7 +216,7 @@ TEST_F(GrainsFileTest, ProblemsOfDumps) {
   only(snapshot("id x y radius", "3 1 1 1\n3 2 2 1\n", 2), "11: id = 3: is already in line 10");
 }
 
-/// Numbers that take all their 17 digits, extremes among them.
+/// Numbers that need all 17 digits, including extreme ones.
 Moment awkward_moment() {
   Moment moment;
   moment.time = 1.0 / 3.0;

@@ -70,7 +70,7 @@ void move(Grains<D>& grains, double dt) {
   for (auto& grain : grains.line) grain.position += grain.velocity * dt;
 }
 
-/// Moves grains straight on under the rules of the list and compares with brute force at every step.
+/// Moves grains uniformly, rebuilds the list by its own rules, and compares it with brute force at every step.
 template <int D>
 void check_against_brute_force(std::uint64_t seed, int count, double width, bool periodic, double horizon) {
   Box<D> box;
@@ -116,10 +116,10 @@ RC_GTEST_PROP(PairListProperty, MissesNoPair3D, ()) {
   RC_ASSERT(!::testing::Test::HasFailure());
 }
 
-// Histories stay with their pair through any reordering; in 3D the vector turns round where the pair is stored the
-// other way.
+// Slip displacements stay with their pair through any reordering. In 3D the vector changes sign if the pair is stored
+// in the other order.
 template <int D>
-void check_history() {
+void check_slip() {
   const Box<D> box;
   Grains<D> grains = random_grains<D>(5, 200, 8.0, 12.0);
   PairList<D> pairs({.cutoff = 1.2, .skin = 0.3, .horizon = 0.1, .gravity = 0.0});
@@ -164,10 +164,10 @@ void check_history() {
   EXPECT_GT(swaps, 50U);
 }
 
-TEST(PairList, CarriesHistory2D) { check_history<2>(); }
-TEST(PairList, CarriesHistory3D) { check_history<3>(); }
+TEST(PairList, KeepsSlipDisplacements2D) { check_slip<2>(); }
+TEST(PairList, KeepsSlipDisplacements3D) { check_slip<3>(); }
 
-// A grain that falls freely past a settled heap forces next to no builds: with the look-ahead its way is in the list.
+// A grain that falls freely past a settled heap causes almost no builds, because its larger allowance covers its path.
 TEST(PairList, FreeFlightForcesNoRebuild) {
   const auto builds = [](double horizon) {
     Grains<2> grains;
