@@ -6,7 +6,7 @@
 
 namespace repose::testing {
 
-/// A few grains under the soft method, for tests that put them where they want.
+/// Grains under the soft method at positions that a test chooses.
 template <int D, class Law>
 class SoftWorld {
  public:
@@ -15,7 +15,7 @@ class SoftWorld {
   SoftWorld(MaterialTable<Law> laws, SoftSettings<D> settings, int threads = 1)
       : method_(laws, settings), team_(threads) {}
 
-  /// Mass r^2 pi-free: 1 for radius 1/2. Returns the id.
+  /// Adds a grain and returns its id. The mass is 4 r^2: 1 for radius 1/2.
   std::int64_t add(Vec<D> position, Vec<D> velocity = {}, Spin<D> spin = {}, double radius = 0.5, bool fixed = false,
                    std::uint16_t material = 0) {
     Grain<D> grain;

@@ -21,7 +21,7 @@ constexpr TimeSteps leapfrog{0.001, true};
 
 double no_apex() { return 0.0; }
 
-/// Releases everything that is due up to a time; the grains released before are taken away each time if asked.
+/// Releases all grains that are due up to a time.
 Grains<2> released_by(Pour& pour, double time) {
   Grains<2> grains;
   while (pour.due() <= time) {
@@ -32,7 +32,7 @@ Grains<2> released_by(Pour& pour, double time) {
   return grains;
 }
 
-// The paper's count: 0.62 t + 1 grains by time t; here the rate is 2.
+// The count of the paper is 0.62 t + 1 grains by time t; here the rate is 2.
 TEST(Pour, CountGrowsWithTimeFromOne) {
   const auto scene = pouring("height = 50.0");
   Pour pour(scene, leapfrog, 10);
@@ -43,8 +43,9 @@ TEST(Pour, CountGrowsWithTimeFromOne) {
   EXPECT_TRUE(pour.done());
 }
 
-// Places uniform in +-w, sizes uniform in [(1 - p) d, d] (standard deviation p d / sqrt(12)), masses with the square
-// of the size; within 4 standard errors of 400 grains. Released from rest: half a step later the speed is g dt / 2.
+// Positions are uniform in +-w, sizes uniform in [(1 - p) d, d] (standard deviation p d / sqrt(12)), masses
+// proportional to the square of the size, all within 4 standard errors of 400 grains. Grains are released from rest:
+// half a step later the speed is g dt / 2.
 TEST(Pour, PlacesAndSizes) {
   const auto scene = pouring("height = 50.0, half_width = 4.0, x = 1.0");
   Pour pour(scene, leapfrog, 0);
@@ -55,7 +56,7 @@ TEST(Pour, PlacesAndSizes) {
   for (const auto& grain : grains.line) {
     EXPECT_LE(std::fabs(grain.position[0] - 1.0), 4.0);
     EXPECT_EQ(grain.position[1], 50.0);
-    // The kick of the first step is half of the others'.
+    // The kick of the first step is half a kick.
     const double first_kick = &grain == &grains.line.front() ? 0.0005 : 0.001;
     EXPECT_DOUBLE_EQ(grain.velocity[1] - first_kick, -0.0005);
     EXPECT_GE(grain.radius, 0.45);
@@ -70,7 +71,7 @@ TEST(Pour, PlacesAndSizes) {
   EXPECT_NEAR(size, 0.95, 4.0 * 0.1 / std::sqrt(12.0 * 400.0));
 }
 
-// No two grains are let go within each other's reach: where the opening is full, the next one waits.
+// No grain is released in reach of another: if the opening is full, the next grain waits.
 TEST(Pour, WaitsForRoom) {
   const auto scene = pouring("height = 50.0, half_width = 2.0");
   Pour pour(scene, leapfrog, 0);

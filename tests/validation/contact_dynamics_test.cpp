@@ -14,14 +14,14 @@ using testing::open_box;
 using testing::rigid_2d;
 using testing::RigidWorld;
 
-// Claim: floor and walls of a box carry the weight of 1000 discs at rest to 1e-6. Source: statics. Discs of diameter
-// 0.8 to 1, friction 0.5, fall into a box 40 wide; seed 7. Tolerance: the residual is 1e-6 of g dt per contact and of
-// either sign; what is left of the motion shows in the same balance.
+// Claim: the floor and walls of a box carry the weight of 1000 discs at rest to 1e-6. Source: statics. Discs of
+// diameter 0.8 to 1, friction 0.5, fall into a box 40 wide; seed 7. Tolerance: the residual is 1e-6 of g dt per
+// contact, with either sign; the remaining motion enters the same balance.
 TEST(ContactDynamicsBox, CarriesTheWeightOf1000Discs) {
   ImpulseLaw law;
   law.friction = 0.5;
   auto settings = rigid_2d(0.05, 1.0);
-  settings.solver.most_sweeps = 500;  // while it falls; at rest few are needed
+  settings.solver.most_sweeps = 500;  // enough while the discs fall; at rest few are needed
   settings.walls = open_box(40.0);
   RigidWorld<2> world(law, settings);
   double weight = 0.0;

@@ -53,7 +53,7 @@ ContactProblem next_contact_problem(Record record) {
   }
   const auto walls = make_walls(record.scene);
   for (std::size_t w = 0; w < walls.size(); ++w) {
-    posed.places.push_back({plane_partner(static_cast<std::int64_t>(w)), 0.0, walls[w].point});
+    posed.places.push_back({wall_partner(static_cast<std::int64_t>(w)), 0.0, walls[w].point});
   }
   return posed;
 }

@@ -25,7 +25,7 @@ std::vector<Model> every_model(std::index_sequence<Index...> /*of the variant*/)
   return {Model{std::in_place_index<Index>}...};
 }
 
-/// Writes the parameters of a model down.
+/// Collects the parameters of a model as texts.
 class Describer : public ModelParameters {
  public:
   std::vector<ParameterText> texts;

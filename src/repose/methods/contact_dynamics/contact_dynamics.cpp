@@ -14,11 +14,11 @@ namespace repose {
 
 namespace {
 
-/// Fast grains list what they can meet in this many steps.
+/// Fast grains list all grains that they may reach within this many steps.
 constexpr double look_ahead_steps = 16.0;
 
-/// Contacts are looked for within 0.05 of the roll radius, which is at most half the sum of the radii, and within what
-/// grains may fall.
+/// Contacts are searched within 0.05 roll radii (the roll radius is at most half the sum of the radii), and within the
+/// distance that grains may fall.
 constexpr double cutoff = 1.0 + 0.5 * 0.05;
 
 template <int D>
@@ -75,19 +75,19 @@ const contact_dynamics::Problem<D>* ContactDynamics<D>::problem_at(double time, 
   return &problem_;
 }
 
-/// The list must hold until the end of the step: grains may meet then that are far apart now.
+/// The list must hold until the end of the step, when grains may touch that are far apart now.
 template <int D>
 void ContactDynamics<D>::refresh_pairs(Grains<D>& grains, Team& team) {
   const double dt = settings_.time_step;
   double fastest2 = 0.0;
   for (const auto& grain : grains.line) fastest2 = std::max(fastest2, squared(grain.velocity));
-  double wall_way = 0.0;
+  double wall_displacement = 0.0;
   for (std::size_t w = 0; w < walls_at_build_.size(); ++w) {
-    const double gone = std::fabs(walls_[w].displacement - walls_at_build_[w].displacement);
-    wall_way = std::max(wall_way, gone + dt * std::fabs(walls_[w].speed));
+    const double so_far = std::fabs(walls_[w].displacement - walls_at_build_[w].displacement);
+    wall_displacement = std::max(wall_displacement, so_far + dt * std::fabs(walls_[w].speed));
   }
   pairs_.moved(dt * std::sqrt(fastest2));
-  if (pairs_.suspect() && pairs_.stale(grains, wall_way, dt)) build_pairs(grains, team);
+  if (pairs_.may_be_stale() && pairs_.stale(grains, wall_displacement, dt)) build_pairs(grains, team);
 }
 
 template <int D>
@@ -119,7 +119,7 @@ void ContactDynamics<D>::set_free_velocities(const Grains<D>& grains) {
   for (std::size_t w = 0; w < walls_.size(); ++w) set_free_wall(w, kick);
 }
 
-/// The barrier acts here and never on what the contacts make of the velocities, which are then what they must be.
+/// Limits the free velocities only, never the velocities after the contacts, which must obey the contact laws.
 template <int D>
 void ContactDynamics<D>::limit_speeds() {
   if (!std::isfinite(settings_.speed_limit)) return;
@@ -129,8 +129,8 @@ void ContactDynamics<D>::limit_speeds() {
   }
 }
 
-/// A piston is a body that moves along one direction. Its spring and drag act at the end of the step (implicit Euler:
-/// stable for any stiffness), by which the body is as if it had more mass.
+/// A piston is a body that moves along one direction. Its spring and drag act at the end of the step (implicit Euler,
+/// stable for any stiffness), which has the effect of a larger mass.
 template <int D>
 void ContactDynamics<D>::set_free_wall(std::size_t w, double kick) {
   const auto& motion = settings_.walls[w].motion;
@@ -165,7 +165,7 @@ void ContactDynamics<D>::solve() {
   account_.worst_residual = std::max(account_.worst_residual, solution_.residual);
 }
 
-/// What fixed grains and walls took up.
+/// Adds the contact impulses to the reactions of fixed grains and walls.
 template <int D>
 void ContactDynamics<D>::hand_over_reactions(Grains<D>& grains) {
   for (const auto& c : problem_.contacts) {
@@ -181,7 +181,7 @@ void ContactDynamics<D>::hand_over_reactions(Grains<D>& grains) {
   }
 }
 
-/// False where a grain is faster than its radius in a step, or not a number.
+/// Returns false if a grain moves by more than its radius, or if a velocity is not a number.
 template <int D>
 bool ContactDynamics<D>::move(Grains<D>& grains) {
   const double dt = settings_.time_step;
@@ -192,8 +192,8 @@ bool ContactDynamics<D>::move(Grains<D>& grains) {
     grain.velocity = problem_.bodies[i].velocity;
     grain.rim_velocity = problem_.bodies[i].rim_velocity;
     grain.position += grain.velocity * dt;
-    const double way = magnitude(grain.velocity) * dt;
-    fine &= way <= grain.radius && std::isfinite(magnitude(grain.rim_velocity));
+    const double displacement = magnitude(grain.velocity) * dt;
+    fine &= displacement <= grain.radius && std::isfinite(magnitude(grain.rim_velocity));
   }
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     auto& wall = walls_[w];
@@ -265,7 +265,7 @@ void ContactDynamics<D>::set_histories(const Grains<D>& grains, const Contacts<D
     line.impulse.tangent = contact.tangential_force * settings_.time_step;
     problem_.contacts.push_back(line);
   }
-  // Sorts, and turns round what is listed the other way.
+  // Sorts the contacts, and reverses those that are listed in the other direction.
   std::vector<std::uint32_t> same(grains.size());
   for (std::uint32_t k = 0; k < grains.size(); ++k) same[k] = k;
   contact_dynamics::renumber(same, grains.size(), problem_.contacts);

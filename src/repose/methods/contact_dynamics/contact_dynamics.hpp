@@ -63,8 +63,8 @@ class ContactDynamics final : public Method<D> {
   PairList<D> pairs_;
   contact_dynamics::Problem<D> problem_;
   contact_dynamics::Solver<D> solver_;
-  std::vector<contact_dynamics::ContactLine<D>> before_;  // contacts of the step before: their impulses are the start
-  std::size_t known_ = 0;                                 // grains when bodies were last numbered
+  std::vector<contact_dynamics::ContactLine<D>> before_;  // contacts of the previous step, whose impulses are the start
+  std::size_t known_ = 0;                                 // number of grains when bodies were last numbered
   long step_ = 0;
   std::vector<WallState> walls_;
   std::vector<WallState> walls_at_build_;

@@ -17,7 +17,7 @@ namespace {
 
 using namespace deposition;
 
-/// What a disc rests on; see Rest.
+/// The supports of a disc; see Rest.
 struct Supports {
   std::int32_t first = nothing;
   std::int32_t second = nothing;
@@ -114,7 +114,7 @@ class Deposition final : public Method<2> {
 
   DepositionSettings settings_;
   std::optional<Search> search_;
-  std::vector<Supports> supports_;  // of each grain, in memory order, which is that of ids here
+  std::vector<Supports> supports_;  // one entry per grain, in memory order, which here is the order of ids
   std::int64_t made_ = 0;
 };
 
