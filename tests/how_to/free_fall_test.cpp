@@ -81,10 +81,10 @@ TEST(FreeFall, TheFloorBearsTheWeight) {
                         1);
   simulation.run();
   const auto record = simulation.record();
-  ASSERT_EQ(record.walls.size(), 3 * record.series.size());
+  ASSERT_EQ(record.wall_series.size(), 3 * record.series.size());
   ASSERT_EQ(record.series.size(), 20U);
   double force = 0.0;
-  for (std::size_t row = 0; row < 20; ++row) force += record.walls[3 * row].force[1] / 20.0;
+  for (std::size_t row = 0; row < 20; ++row) force += record.wall_series[3 * row].force[1] / 20.0;
   EXPECT_NEAR(force, -3.0, 1e-12);
 }
 

@@ -21,7 +21,8 @@ constexpr std::size_t tangent_columns = D == 2 ? 1 : 3;
 }  // namespace
 
 template <int D>
-void write_grains(Hdf5File& file, const Grains<D>& grains) {
+void write_grains(Hdf5File& file, const OrderedGrains<D>& ordered) {
+  const auto& grains = *ordered;
   std::vector<std::int64_t> id;
   std::vector<double> position;
   std::vector<double> velocity;
@@ -31,7 +32,7 @@ void write_grains(Hdf5File& file, const Grains<D>& grains) {
   std::vector<std::uint8_t> fixed;
   std::vector<std::uint8_t> base;
   std::vector<std::uint16_t> material;
-  for (const auto k : by_id(grains)) {
+  for (std::size_t k = 0; k < grains.size(); ++k) {
     const auto& grain = grains.line[k];
     id.push_back(grains.id[k]);
     append(position, grain.position);
@@ -80,7 +81,7 @@ void write_contacts(Hdf5File& file, const Contacts<D>& contacts) {
     sliding.push_back(contact.sliding ? 1 : 0);
   }
   file.group("contacts");
-  file.dataset("contacts/grains", partners, 2, "", "ids of the partners; second = -1 - k means plane k");
+  file.dataset("contacts/grains", partners, 2, "", "ids of the partners; second = -1 - k means wall k");
   file.dataset("contacts/normal", normal, D, "", "unit vector from the second to the first");
   file.dataset("contacts/overlap", overlap, 1, "L", "mean diameter less distance");
   file.dataset("contacts/relative_overlap", relative_overlap, 1, "", "overlap over the mean diameter of the pair");
@@ -179,7 +180,7 @@ std::string state_hash(const Grains<2>& grains, const Contacts<2>& contacts) {
   return hash.text();
 }
 
-template void write_grains(Hdf5File&, const Grains<2>&);
+template void write_grains(Hdf5File&, const OrderedGrains<2>&);
 template void write_contacts(Hdf5File&, const Contacts<2>&);
 
 }  // namespace repose

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "repose/core/contacts.hpp"
-#include "repose/core/grains.hpp"
+#include "repose/core/ordered_grains.hpp"
 #include "repose/io/hdf5_file.hpp"
 #include "repose/io/hdf5_reader.hpp"
 
@@ -11,9 +11,9 @@
 
 namespace repose {
 
-/// Writes the group `grains` in order of id. Layout: docs/reference/run-folder.md.
+/// Writes the group `grains`. Layout: docs/reference/run-folder.md.
 template <int D>
-void write_grains(Hdf5File& file, const Grains<D>& grains);
+void write_grains(Hdf5File& file, const OrderedGrains<D>& grains);
 
 /// Writes the group `contacts`.
 template <int D>

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <stdexcept>
 #include <type_traits>
 
@@ -74,17 +75,23 @@ RunFacts read_facts(const Hdf5Reader& file) {
   return facts;
 }
 
-void write_walls(Hdf5File& file, const Scene& scene) {
-  const auto walls = make_walls(scene);
+void write_walls(Hdf5File& file, const std::vector<RecordedWall>& walls) {
   if (walls.empty()) return;
+  std::vector<std::string> name;
+  std::vector<double> position;
+  std::vector<std::uint8_t> open;
   std::vector<double> point;
   std::vector<double> normal;
   std::vector<double> direction;
   std::vector<double> half_length;
   std::vector<double> opens_at;
-  for (const auto& wall : walls) {
+  for (const auto& recorded : walls) {
+    const auto& wall = recorded.wall;
+    name.push_back(recorded.name);
+    open.push_back(recorded.open ? 1 : 0);
     for (int k = 0; k < 2; ++k) {
-      point.push_back(wall.point[k]);
+      point.push_back(recorded.start[k]);
+      position.push_back(wall.point[k]);
       normal.push_back(wall.normal[k]);
       direction.push_back(wall.motion.direction[k]);
     }
@@ -92,21 +99,23 @@ void write_walls(Hdf5File& file, const Scene& scene) {
     opens_at.push_back(wall.opens_at);
   }
   file.group("walls");
-  file.texts("walls/name", wall_names(scene), "of each wall");
+  file.texts("walls/name", name, "of each wall");
   file.dataset("walls/point", point, 2, "L", "a point of the wall at the start, the middle of a finite one");
   file.dataset("walls/normal", normal, 2, "", "unit normal, towards the grains");
   file.dataset("walls/direction", direction, 2, "", "unit vector along which the wall moves; 0: it does not");
   file.dataset("walls/half_length", half_length, 1, "L", "half the length; infinite for a plane");
   file.dataset("walls/opens_at", opens_at, 1, "T", "from then on the wall is not there; infinite: it stays");
+  file.dataset("walls/position", position, 2, "L", "where that point is at the stated time");
+  file.dataset("walls/open", open, 1, "", "1: has opened, nothing touches it");
 }
 
 void write_wall_series(Hdf5File& file, const Record& record) {
-  if (record.walls.empty()) return;
-  const auto walls = record.walls.size() / record.series.size();
+  if (record.wall_series.empty()) return;
+  const auto walls = record.wall_series.size() / record.series.size();
   std::vector<double> displacement;
   std::vector<double> force_x;
   std::vector<double> force_y;
-  for (const auto& wall : record.walls) {
+  for (const auto& wall : record.wall_series) {
     displacement.push_back(wall.displacement);
     force_x.push_back(wall.force[0]);
     force_y.push_back(wall.force[1]);
@@ -294,20 +303,35 @@ Scene read_scene_of(const std::string& folder, const Hdf5Reader& file) {
                   folder));
 }
 
-/// A damaged file may name grains that are not there; nothing behind this point looks again.
-void check_partners(const Hdf5Reader& file, const Record& record) {
-  const auto& id = record.grains.id;
-  const auto walls = static_cast<std::int64_t>(make_walls(record.scene).size());
-  const auto known = [&](std::int64_t k) { return std::binary_search(id.begin(), id.end(), k); };
-  const bool sound =
-      std::is_sorted(id.begin(), id.end()) &&
-      std::all_of(record.contacts.list.begin(), record.contacts.list.end(), [&](const auto& contact) {
-        return known(contact.first) && (contact.second < 0 ? contact.second >= -walls : known(contact.second));
-      });
-  if (!sound) throw InputError(fmt::format("{}: contacts: names a grain or wall that is not there", file.path()));
+/// The walls of a scene as a file has them.
+std::vector<RecordedWall> read_walls(const Hdf5Reader& file, const Scene& scene) {
+  std::vector<WallState> at_start(make_walls(scene).size());
+  auto walls = recorded_walls(scene, at_start, 0.0);
+  if (walls.empty()) return walls;
+  const auto position = file.dataset<double>("walls/position", 2);
+  const auto open = file.dataset<std::uint8_t>("walls/open");
+  check_lengths(file, "walls", {walls.size(), position.size() / 2, open.size()});
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    walls[w].wall.point = {{position[2 * w], position[2 * w + 1]}};
+    walls[w].open = open[w] != 0;
+  }
+  return walls;
 }
 
 }  // namespace
+
+void check_partners(const std::string& path, const OrderedGrains<2>& grains, const Contacts<2>& contacts,
+                    std::size_t walls) {
+  const auto& id = grains->id;
+  const auto number_of_walls = static_cast<std::int64_t>(walls);
+  const bool sound =
+      std::is_sorted(id.begin(), id.end(), std::less_equal<>()) &&
+      std::all_of(contacts.list.begin(), contacts.list.end(), [&](const auto& contact) {
+        return grains.find(contact.first) &&
+               (contact.second < 0 ? contact.second >= -number_of_walls : grains.find(contact.second).has_value());
+      });
+  if (!sound) throw InputError(fmt::format("{}: contacts: names a grain or wall that is not there", path));
+}
 
 void read_track_segment(const std::string& path, Track& track) {
   std::error_code error;
@@ -372,7 +396,7 @@ void write_record(const std::string& path, const Record& record, const std::vect
   file.texts("scene", {scene_text(record.scene)}, "the scene that was run, complete");
   write_grains(file, record.grains);
   write_contacts(file, record.contacts);
-  write_walls(file, record.scene);
+  write_walls(file, record.walls);
   write_series(file, record.series);
   write_wall_series(file, record);
   if (record.scene.output.energy) write_energy(file, record.series);
@@ -439,9 +463,11 @@ Record read_last_state(const std::string& folder) {
   check_version(file);
   record.scene = read_scene_of(folder, file);
   record.facts = read_facts(file);
-  record.grains = read_grains<2>(file);
+  record.box = make_box(record.scene);
+  record.walls = read_walls(file, record.scene);
+  record.grains = {read_grains<2>(file), record.box};
   record.contacts = read_contacts<2>(file);
-  check_partners(file, record);
+  check_partners(file.path(), record.grains, record.contacts, record.walls.size());
   return record;
 }
 
@@ -449,7 +475,7 @@ Record read_record(const std::string& folder) {
   Record record = read_last_state(folder);
   const Hdf5Reader file(folder + "/run.h5");
   record.series = read_series(file);
-  record.walls = read_wall_series(file, make_walls(record.scene).size(), record.series.size());
+  record.wall_series = read_wall_series(file, record.walls.size(), record.series.size());
   if (record.scene.output.energy) read_energy(file, record.series);
   if (record.scene.method.rigid()) read_solver(file, record.series);
   record.base = read_base(file);

@@ -33,6 +33,11 @@ Record read_last_state(const std::string& folder);
 /// Reads scene.toml and run.h5 of a run folder. Throws InputError if there is none or it is damaged.
 Record read_record(const std::string& folder);
 
+/// A damaged file may name grains or walls that do not exist. Throws InputError then; readers of contacts call this,
+/// and nothing behind them checks again.
+void check_partners(const std::string& path, const OrderedGrains<2>& grains, const Contacts<2>& contacts,
+                    std::size_t walls);
+
 /// The base profile of a run.h5; empty where there is none. Throws InputError.
 BaseProfile read_base(const Hdf5Reader& file);
 

@@ -22,7 +22,7 @@ void write_exponent(Hdf5File& file, const std::string& group, const std::optiona
 
 void write_contacts_of(Hdf5File& file, const Record& record, const Results& results) {
   const auto& coordination = results.packing->coordination;
-  file.dataset("packing/id", record.grains.id, 1, "", "grain");
+  file.dataset("packing/id", record.grains->id, 1, "", "grain");
   file.dataset("packing/neighbours", results.neighbours, 1, "", "grains that touch it, base grains included");
   const std::vector<double> share(coordination.connectivity.begin(), coordination.connectivity.end());
   const std::vector<double> error(coordination.connectivity_error.begin(), coordination.connectivity_error.end());

@@ -3,7 +3,6 @@
 #include "repose/results/results.hpp"
 
 #include "repose/analysis/sticking_rule.hpp"
-#include "repose/scene/geometry.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -15,9 +14,11 @@ namespace {
 /// The core begins this far above the base centres: the base orders the layers below.
 constexpr double core_above_base = 2.0;  // diameters
 
-std::vector<FlatWall> flat_walls(const Scene& scene) {
+std::vector<FlatWall> standing_walls(const Record& record) {
   std::vector<FlatWall> walls;
-  for (const auto& wall : make_walls(scene)) walls.push_back({wall.point, wall.normal});
+  for (const auto& recorded : record.walls) {
+    if (!recorded.open) walls.push_back({recorded.wall.point, recorded.wall.normal});
+  }
   return walls;
 }
 
@@ -53,8 +54,8 @@ PackingOptions packing_options(const Scene& scene) {
 
 void measure_packing(const Record& record, Results& results) {
   const auto& scene = record.scene;
-  const auto box = make_box(scene);
-  const auto discs = discs_of(record.grains, box);
+  const auto& box = record.box;
+  const auto discs = discs_of(record.grains);
   const auto options = packing_options(scene);
   auto result = analyse_packing(discs, box, options);
   results.packing = std::move(result.packing);
@@ -82,9 +83,9 @@ Results analyse_deposition(const Record& record) {
 Results analyse(const Record& record) {
   if (record.scene.method.deposits()) return analyse_deposition(record);
   const auto& scene = record.scene;
-  const auto& grains = record.grains;
+  const auto& grains = *record.grains;
   const auto& contacts = record.contacts;
-  const auto box = make_box(scene);
+  const auto& box = record.box;
   const double threshold = scene.analysis.force_threshold * scene.grain_weight();
   Results results;
   const auto in_heap = supported(grains, contacts);
@@ -101,12 +102,12 @@ Results analyse(const Record& record) {
   const double weight = mass * scene.gravity;
   if (weight > 0.0) results.weight_error = record.facts.support_force / weight - 1.0;
 
-  results.cells = voronoi(grains, in_heap, flat_walls(scene), box);
+  results.cells = voronoi(record.grains, in_heap, standing_walls(record), box);
   results.core = measure_core(grains, contacts, results.heap, results.cells, results.base_height,
                               scene.analysis.core_depth, core_above_base * scene.grains.diameter, threshold);
   results.forces = measure_force_statistics(contacts, threshold);
   results.chains = find_chains(grains, contacts, threshold, box);
-  results.fields = coarse_grained(grains, contacts, in_heap, box, scene.analysis.field_width);
+  results.fields = coarse_grained(record.grains, contacts, in_heap, box, scene.analysis.field_width);
   if (mass > 0.0 && !results.fields.density.empty()) {
     double sum = 0.0;
     for (const double density : results.fields.density) sum += density;

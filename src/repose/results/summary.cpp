@@ -192,7 +192,7 @@ std::string summary_text(const Record& record, const Results& results) {
   json["seed"] = scene.seed;
   json["status"] = status_text(facts.status);
   json["stop_reason"] = facts.message;
-  json["grains"] = moving_count(record.grains);
+  json["grains"] = moving_count(*record.grains);
   json["grains_released"] = facts.released;
   json["grains_lost"] = facts.lost;
   json["contacts"] = results.network.contacts;

@@ -245,13 +245,12 @@ Record Simulation::record() const {
   facts.released = released();
   facts.lost = lost();
   facts.support_force = base_forces_.force_on_supports(record.contacts);
-  record.grains = grains_;
-  if (!std::is_sorted(grains_.id.begin(), grains_.id.end())) record.grains.reorder(by_id(grains_));
-  const auto box = make_box(scene_);
-  for (auto& grain : record.grains.line) grain.position = box.wrapped(grain.position);
-  facts.state_hash = state_hash(record.grains, record.contacts);
+  record.box = make_box(scene_);
+  record.walls = recorded_walls(scene_, method_->walls(), time());
+  record.grains = OrderedGrains<2>(grains_, record.box);
+  facts.state_hash = state_hash(*record.grains, record.contacts);
   record.series = series_.rows();
-  record.walls = series_.walls();
+  record.wall_series = series_.walls();
   record.base = base_forces_.profile(grains_, scene_.grain_weight());
   record.track = track_.track();
   return record;
