@@ -15,12 +15,6 @@ namespace repose {
 void write_record(const std::string& path, const Record& record, const std::vector<std::string>& frames,
                   const std::vector<std::string>& segments);
 
-/// Writes a segment of the track: the moments from `first` on. Throws RunError.
-void write_track_segment(const std::string& path, const Track& track, std::size_t first);
-
-/// Adds the moments of a segment to a track. Throws InputError.
-void read_track_segment(const std::string& path, Track& track);
-
 /// The header of a run.h5: how far the run came. Throws InputError.
 RunFacts read_run_facts(const std::string& folder);
 
