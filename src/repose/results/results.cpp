@@ -3,6 +3,7 @@
 #include "repose/results/results.hpp"
 
 #include "repose/analysis/sticking_rule.hpp"
+#include "repose/results/measure.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -41,7 +42,7 @@ PackingOptions packing_options(const Scene& scene) {
   options.correlations = analysis.correlations;
   options.structure = analysis.structure_factor;
   options.local_density = analysis.local_density;
-  if (!scene.method.deposits()) return options;
+  if (has(scene, Needs::forces)) return options;
   options.slab.base_height = 0.0;
   // Base discs lie on the floor too, and are neighbours already.
   options.walls.floor = -0.5 * scene.grains.diameter;
@@ -65,23 +66,36 @@ void measure_packing(const Record& record, Results& results) {
   for (std::size_t k = 0; k < discs.size(); ++k) {
     results.neighbours.push_back(static_cast<std::int64_t>(graph.degree(k)));
   }
-  if (!scene.method.deposits()) return;
+  if (has(scene, Needs::forces)) return;
   results.max_overlap = deepest_overlap(discs, box, graph);
   const auto breaks = breaks_sticking_rule(discs, box, graph, options.walls, options.gap, scene.method.critical_angle);
   results.breaking_rule = std::count(breaks.begin(), breaks.end(), 1);
 }
 
-/// Of grains that were put there by geometry: there are no forces to speak of.
+/// The network of a packing whose contacts carry no forces: all of them count.
+ForceNetwork network_of(const Packing& packing) {
+  ForceNetwork network;
+  network.contacts = packing.contacts;
+  network.coordination = packing.coordination.mean.mean;
+  network.connectivity = packing.coordination.connectivity;
+  if (packing.fabric) {
+    network.anisotropy = packing.fabric->all.anisotropy.mean;
+    network.direction_deg = packing.fabric->folded.direction_deg.mean;
+  }
+  return network;
+}
+
 Results analyse_deposition(const Record& record) {
   Results results;
   measure_packing(record, results);
+  if (results.packing) results.network = network_of(*results.packing);
   return results;
 }
 
 }  // namespace
 
 Results analyse(const Record& record) {
-  if (record.scene.method.deposits()) return analyse_deposition(record);
+  if (!has(record.scene, Needs::forces)) return analyse_deposition(record);
   const auto& scene = record.scene;
   const auto& grains = *record.grains;
   const auto& contacts = record.contacts;
