@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/record/reference.hpp"
+
+#include "repose/cli/commands.hpp"
+#include "repose/contact_problem/contact_problem_groups.hpp"
+#include "repose/core/errors.hpp"
+#include "repose/results/reference.hpp"
+#include "repose/sweep/groups.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+
+namespace repose {
+
+namespace {
+
+/// A page of docs/reference, and its text or the tables in it.
+struct Page {
+  const char* name;
+  std::string (*text)();
+};
+constexpr Page pages[] = {
+    {"run-folder", [] { return markdown_of(run_folder_reference()); }},
+    {"summary", [] { return markdown_of(summary_reference()); }},
+    {"analysis", [] { return markdown_of(analysis_reference()); }},
+    {"contact-problem", [] { return markdown_of(contact_problem_reference()); }},
+    {"sweep", [] { return markdown_of(sweep_reference()); }},
+};
+
+int act(const std::string& name) {
+  for (const auto& page : pages) {
+    if (name.empty()) fmt::print("{}\n", page.name);
+    if (name != page.name) continue;
+    fmt::print("{}", page.text());
+    return 0;
+  }
+  if (!name.empty()) throw InputError(fmt::format("{}: no such page; repose reference lists them", name));
+  return 0;
+}
+
+}  // namespace
+
+Command add_reference(CLI::App& app) {
+  auto page = std::make_shared<std::string>();
+  auto* command = app.add_subcommand(
+      "reference", "Print the tables of a reference page as Markdown, from the lists that files are written by");
+  command->add_option("PAGE", *page, "Name of a page (default: list the pages)");
+  return {command, [page] { return act(*page); }};
+}
+
+}  // namespace repose
