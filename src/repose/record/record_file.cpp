@@ -29,7 +29,7 @@ void write_header(Hdf5File& file, const Scene& scene, const RunFacts& facts) {
   file.attribute("/", "format_version", format_version);
   file.attribute("/", "repose_version", std::string(version));
   file.attribute("/", "title", scene.title);
-  file.attribute("/", "method", scene.method.kind);
+  file.attribute("/", "method", std::string(scene.method->name()));
   file.attribute("/", "units", scene.units);
   file.attribute("/", "dimension", std::int64_t{2});
   file.attribute("/", "seed", scene.seed);
@@ -48,7 +48,7 @@ void write_header(Hdf5File& file, const Scene& scene, const RunFacts& facts) {
   file.attribute("/", "gravity", std::vector<double>{0.0, -scene.gravity});
   file.attribute("/", "grain_diameter", scene.grains.diameter);
   file.attribute("/", "grain_weight", scene.grain_weight());
-  file.attribute("/", "periodic", std::int64_t{scene.box.x == "periodic" ? 1 : 0});
+  file.attribute("/", "periodic", std::int64_t{scene.box.periodic() ? 1 : 0});
   file.attribute("/", "x_min", -scene.box.half_width);
   file.attribute("/", "x_max", scene.box.half_width);
 }
@@ -285,7 +285,7 @@ std::string kept_scene(const Hdf5Reader& file) {
 /// The scene that was run. Only its [analysis] may have been changed in scene.toml since then.
 Scene read_scene_of(const std::string& folder, const Hdf5Reader& file) {
   const auto scene = read_scene(folder + "/scene.toml");
-  auto run = read_scene_text(kept_scene(file), file.path() + ": scene");
+  auto run = scene_from_text(kept_scene(file), file.path() + ": scene");
   run.analysis = scene.analysis;
   if (scene_text(run) == scene_text(scene)) return scene;
   throw InputError(
@@ -376,7 +376,7 @@ void write_record(const std::string& path, const Record& record, const std::vect
   write_series(file, record.series);
   write_wall_series(file, record);
   if (record.scene.output.energy) write_energy(file, record.series);
-  if (record.scene.method.rigid()) write_solver(file, record.series);
+  if (record.scene.method->solver() != nullptr) write_solver(file, record.series);
   write_base(file, record.base);
   file.external_link("analysis", "analysis.h5", "/");
   const auto link = [&](const std::string& group, const std::vector<std::string>& names) {
@@ -451,7 +451,7 @@ Record read_record(const std::string& folder) {
   record.series = read_series(file);
   record.walls = read_wall_series(file, make_walls(record.scene).size(), record.series.size());
   if (record.scene.output.energy) read_energy(file, record.series);
-  if (record.scene.method.rigid()) read_solver(file, record.series);
+  if (record.scene.method->solver() != nullptr) read_solver(file, record.series);
   record.base = read_base(file);
   if (file.has("track")) {
     for (const auto& name : file.names_in("track")) {

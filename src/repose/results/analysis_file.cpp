@@ -203,7 +203,7 @@ void write_analysis(const std::string& path, const Record& record, const Results
   file.attribute("/", "repose_version", std::string(version));
   file.attribute("/", "time", record.facts.time);
   if (results.packing) write_packing(file, record, results);
-  if (scene.method.deposits()) return file.commit();
+  if (!scene.method->traits().has_forces()) return file.commit();
   write_surface(file, results, scene.analysis.bin_width);
   write_base(file, results.base);
   write_voronoi(file, results.cells);

@@ -40,11 +40,11 @@ PackingOptions packing_options(const Scene& scene) {
   options.correlations = analysis.correlations;
   options.structure = analysis.structure_factor;
   options.local_density = analysis.local_density;
-  if (!scene.method.deposits()) return options;
+  if (scene.method->traits().follows_time) return options;
   options.slab.base_height = 0.0;
   // Base discs lie on the floor too, and are neighbours already.
   options.planes.floor = -0.5 * scene.grains.diameter;
-  if (scene.box.x == "walls") {
+  if (scene.box.walled()) {
     options.planes.left = -scene.box.half_width;
     options.planes.right = scene.box.half_width;
   }
@@ -64,14 +64,15 @@ void measure_packing(const Record& record, Results& results) {
   for (std::size_t k = 0; k < discs.size(); ++k) {
     results.neighbours.push_back(static_cast<std::int64_t>(graph.degree(k)));
   }
-  if (!scene.method.deposits()) return;
+  const auto angle = scene.method->sticking_angle();
+  if (!angle) return;
   results.max_overlap = deepest_overlap(discs, box, graph);
-  const auto breaks = breaks_sticking_rule(discs, box, graph, options.planes, options.gap, scene.method.critical_angle);
+  const auto breaks = breaks_sticking_rule(discs, box, graph, options.planes, options.gap, *angle);
   results.breaking_rule = std::count(breaks.begin(), breaks.end(), 1);
 }
 
-/// Of grains that were put there by geometry: there are no forces to speak of.
-Results analyse_deposition(const Record& record) {
+/// Grains that geometry put in place: there are no forces to speak of.
+Results analyse_packing_alone(const Record& record) {
   Results results;
   measure_packing(record, results);
   return results;
@@ -80,7 +81,7 @@ Results analyse_deposition(const Record& record) {
 }  // namespace
 
 Results analyse(const Record& record) {
-  if (record.scene.method.deposits()) return analyse_deposition(record);
+  if (!record.scene.method->traits().has_forces()) return analyse_packing_alone(record);
   const auto& scene = record.scene;
   const auto& grains = record.grains;
   const auto& contacts = record.contacts;
@@ -113,7 +114,7 @@ Results analyse(const Record& record) {
     results.field_weight_error = sum * results.fields.cell * results.fields.cell / mass - 1.0;
   }
   results.motion = measure_motion(record.track, box, motion_settings(scene, results.base_height));
-  if (scene.analysis.packing) measure_packing(record, results);
+  if (*scene.analysis.packing) measure_packing(record, results);
   return results;
 }
 

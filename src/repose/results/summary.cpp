@@ -143,7 +143,7 @@ Json packing_json(const Results& results, const Scene& scene) {
     json["local_density"] = {{"mean", number(packing.local_density->density.mean)},
                              {"deviation", number(packing.local_density->density.deviation)}};
   }
-  if (scene.method.deposits()) json["discs_breaking_rule"] = results.breaking_rule;
+  if (scene.method->sticking_angle()) json["discs_breaking_rule"] = results.breaking_rule;
   return json;
 }
 
@@ -158,7 +158,8 @@ void put_packing(const Packing& packing, Json& json) {
 
 /// What the solver did in the whole run.
 Json solver_json(const Record& record) {
-  if (!record.scene.method.rigid()) return nullptr;
+  const auto* solver = record.scene.method->solver();
+  if (solver == nullptr) return nullptr;
   const auto all = solver_account(record);
   const auto steps = static_cast<double>(all.steps);
   return {{"steps", all.steps},
@@ -166,7 +167,7 @@ Json solver_json(const Record& record) {
           {"contact_iterations", all.contact_iterations},
           {"unconverged", all.unconverged},
           {"worst_residual", number(all.worst_residual)},
-          {"tolerance", record.scene.method.tolerance},
+          {"tolerance", solver->tolerance},
           {"creep_rate", record.series.empty() ? Json(nullptr) : number(record.series.back().creep_rate)}};
 }
 
@@ -188,7 +189,7 @@ std::string summary_text(const Record& record, const Results& results) {
   Json json;
   json["title"] = scene.title;
   json["repose_version"] = version;
-  json["method"] = scene.method.kind;
+  json["method"] = scene.method->name();
   json["seed"] = scene.seed;
   json["status"] = status_text(facts.status);
   json["stop_reason"] = facts.message;
@@ -226,8 +227,8 @@ std::string summary_text(const Record& record, const Results& results) {
   json["field_weight_error"] = number(results.field_weight_error);
   json["packing"] = packing_json(results, scene);
   json["solver"] = solver_json(record);
-  if (scene.method.deposits()) {
-    json["critical_angle"] = scene.method.critical_angle;
+  if (const auto angle = scene.method->sticking_angle()) json["critical_angle"] = *angle;
+  if (!scene.method->traits().has_forces()) {
     json["contacts"] = results.packing ? Json(results.packing->contacts) : Json(nullptr);
     for (const auto* key : {"kinetic_energy_per_grain", "force_residual", "force_threshold", "velocities"})
       json[key] = nullptr;

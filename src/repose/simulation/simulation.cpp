@@ -114,7 +114,7 @@ double Simulation::apex() const {
 }
 
 void Simulation::begin() {
-  if (scene_.source.height_above == "apex") method_->refresh(grains_, team_);  // the first grain asks what touches
+  if (scene_.source->above_apex()) method_->refresh(grains_, team_);  // the first grain asks what touches
   release_due_grains();
   apply_due_loads();
   method_->refresh(grains_, team_);
@@ -199,7 +199,7 @@ void Simulation::observe(const Hooks& hooks) {
   moving_ = moving_count(grains_);
   record_reactions();
   // Geometry alone holds deposited discs: there are no forces to look at on the way.
-  const auto contacts = scene_.method.deposits() ? Contacts<2>{} : method_->contacts(grains_);
+  const auto contacts = scene_.method->traits().has_forces() ? method_->contacts(grains_) : Contacts<2>{};
   SeriesRow row;
   row.time = time();
   row.grains = static_cast<std::int64_t>(moving_);
@@ -212,7 +212,8 @@ void Simulation::observe(const Hooks& hooks) {
   row.lost = grains_lost();
   record_walls();
   if (scene_.output.energy) row.energy = method_->energy(grains_);
-  if (scene_.method.rigid()) {
+  const auto* solver = scene_.method->solver();
+  if (solver != nullptr) {
     row.solver = method_->taken_solver_account();
     row.creep_rate = median_speed(grains_, supported(grains_, contacts));
   }
@@ -221,11 +222,11 @@ void Simulation::observe(const Hooks& hooks) {
 
   if (row.max_overlap > largest_overlap) {
     stop(Status::failed, describe_trouble(contacts));
-  } else if (row.solver.unconverged > 0 && scene_.method.unconverged == "error") {
-    stop(Status::failed, fmt::format("{} of {} steps to time {:.6g} did not converge: worst residual {:.3g} of gravity "
-                                     "times time step, method.tolerance = {} (method.unconverged = \"error\")",
-                                     row.solver.unconverged, row.solver.steps, time(), row.solver.worst_residual,
-                                     scene_.method.tolerance));
+  } else if (row.solver.unconverged > 0 && solver->stops()) {
+    stop(Status::failed,
+         fmt::format("{} of {} steps to time {:.6g} did not converge: worst residual {:.3g} of gravity "
+                     "times time step, method.tolerance = {} (method.unconverged = \"error\")",
+                     row.solver.unconverged, row.solver.steps, time(), row.solver.worst_residual, solver->tolerance));
   } else if (at_rest()) {
     stop(Status::finished, fmt::format("at rest: kinetic energy per grain and force residual below stop.at_rest = {}",
                                        *scene_.stop.at_rest));
@@ -378,7 +379,7 @@ void Simulation::stop(Status status, std::string message) {
 }
 
 std::string Simulation::describe_trouble(const Contacts<2>& contacts) const {
-  if (scene_.method.deposits()) return fmt::format("disc {} finds no place to rest", method_->made());
+  if (!scene_.method->traits().follows_time) return fmt::format("disc {} finds no place to rest", method_->made());
   std::vector<std::string> found;
   for (const auto k : by_id(grains_)) {
     const auto& grain = grains_.line[k];

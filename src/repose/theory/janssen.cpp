@@ -38,7 +38,7 @@ double vertical_stress(const Janssen& column, double depth) {
   return weight_per_volume(column) * depth * share_at_bottom(x) + column.overload * std::exp(-x);  // (24)
 }
 
-void parameters(Janssen& column, ModelParameters& to) {
+void parameters(Janssen& column, Parameters& to) {
   to.integer("dimension", column.dimension, {.low = 2, .high = 3}, "2: slit, all per length across it; 3: round pipe");
   to.number("width", column.width, positive, "L", "between the walls in 2D, diameter in 3D");
   to.number("stress_ratio", column.stress_ratio, not_negative, "1", "horizontal over vertical stress, K");

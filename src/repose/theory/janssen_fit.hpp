@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/theory/model_parameters.hpp"
+#include "repose/theory/model_text.hpp"
 #include "repose/theory/table.hpp"
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct JanssenFit {
                                   .source = "Bratberg 2003 (thesis), eqs (25) and (38), corrected"};
 };
 
-void parameters(JanssenFit& fit, ModelParameters& to);
+void parameters(JanssenFit& fit, Parameters& to);
 
 /// Columns height, apparent_mass, fitted, residual (mass less fitted), and apparent_mass_error where it is given.
 /// Throws InputError where the file is not as it should be or its data do not determine the lengths.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/theory/model_parameters.hpp"
+#include "repose/theory/model_text.hpp"
 #include "repose/theory/table.hpp"
 
 #include <limits>
@@ -37,7 +37,7 @@ std::vector<PackingFact> packing_facts();
 /// forces, each grain also balances torques, and d + 1 is left.
 double isostatic_coordination(int dimension, bool friction);
 
-void parameters(Packing& packing, ModelParameters& to);
+void parameters(Packing& packing, Parameters& to);
 
 /// Columns name, dimension, solid_fraction, error, coordination, source.
 Table evaluate(const Packing& packing);

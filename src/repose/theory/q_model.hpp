@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/theory/model_parameters.hpp"
+#include "repose/theory/model_text.hpp"
 #include "repose/theory/table.hpp"
 
 #include <cstdint>
@@ -50,7 +50,7 @@ double shape_of(const QModel& model);
 /// Mean weight of a site in a layer, exact.
 double mean_weight(const QModel& model, std::int64_t layer);
 
-void parameters(QModel& model, ModelParameters& to);
+void parameters(QModel& model, Parameters& to);
 std::vector<std::string> relations(const QModel& model);
 
 /// distribution: columns weight, density, density_error, exact, exact_in_bin (the last two where a Gamma distribution

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/scene/sources/drop.hpp"
 #include "repose/simulation/sources/draw.hpp"
 #include "repose/simulation/sources/source.hpp"
 
@@ -11,11 +12,11 @@ namespace repose {
 /// place is taken tries others, and waits where there is none; the later ones wait behind it.
 class Drop : public Source {
  public:
-  Drop(const Scene& scene, double time_step, std::int64_t first_id);
+  Drop(const Scene& scene, const DropSource& source, double time_step, std::int64_t first_id);
 
-  bool done() const override { return released_ == scene_.source.count; }
+  bool done() const override { return released_ == source_.count; }
   std::int64_t released() const override { return released_; }
-  std::int64_t count() const override { return scene_.source.count; }
+  std::int64_t count() const override { return source_.count; }
   long next_step() const override;
   bool release(Grains<2>& grains, long step, const std::function<double()>& apex) override;
   double waiting(long step) const override;
@@ -27,10 +28,11 @@ class Drop : public Source {
   virtual long every() const { return 1; }
 
   const Scene& scene_;
+  const DropSource& source_;
   double time_step_;
 
  private:
-  double due() const { return static_cast<double>(released_) / scene_.source.rate; }
+  double due() const { return static_cast<double>(released_) / source_.rate; }
 
   std::int64_t first_id_;
   GrainDraw draw_;

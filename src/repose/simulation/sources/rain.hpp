@@ -10,7 +10,7 @@ namespace repose {
 /// own time apart, so that the neighbours of all grains are not looked up for each.
 class Rain final : public Drop {
  public:
-  Rain(const Scene& scene, double time_step, std::int64_t first_id);
+  Rain(const Scene& scene, const DropSource& source, double time_step, std::int64_t first_id);
 
  private:
   long every() const override { return every_; }

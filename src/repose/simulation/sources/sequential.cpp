@@ -11,15 +11,16 @@
 
 namespace repose {
 
-Sequential::Sequential(const Scene& scene, double time_step, std::int64_t first_id)
+Sequential::Sequential(const Scene& scene, const SequentialSource& source, double time_step, std::int64_t first_id)
     : scene_(scene),
+      source_(source),
       time_step_(time_step),
       first_id_(first_id),
       draw_(scene, Purpose::grain_species, Purpose::grain_size),
       walls_(make_walls(scene)) {}
 
 bool Sequential::at_rest(const Grains<2>& grains) const {
-  const double slow = scene_.source.rest * scene_.gravity * time_step_;
+  const double slow = source_.rest * scene_.gravity * time_step_;
   return std::all_of(grains.line.begin(), grains.line.end(), [&](const auto& grain) {
     return grain.fixed() || (magnitude(grain.velocity) < slow && std::fabs(grain.rim_velocity) < slow);
   });
@@ -51,12 +52,11 @@ bool Sequential::release(Grains<2>& grains, long step, const std::function<doubl
     quiet_ = at_rest(grains) ? quiet_ + 1 : 0;
     if (quiet_ < quiet_steps) return false;
   }
-  const auto& source = scene_.source;
   const auto index = static_cast<std::uint64_t>(released_);
   auto [grain, material] = draw_(index);
   const double place = 2.0 * uniform(static_cast<std::uint64_t>(scene_.seed), Purpose::release_position, index) - 1.0;
-  grain.position[0] = source.x + source.half_width * place;
-  grain.position[1] = first_touch(grains, grain.position[0], grain.radius) + source.height;
+  grain.position[0] = source_.x + source_.half_width * place;
+  grain.position[1] = first_touch(grains, grain.position[0], grain.radius) + source_.height;
   const auto limit = scene_.speed_limit();
   grain.velocity = {{0.0, limit ? -*limit : 0.0}};
   grains.add(grain, first_id_ + released_, false, material);
@@ -70,7 +70,7 @@ std::string Sequential::buried() const {
   return fmt::format(
       "grain {} of {} cannot be released: the others do not come to rest, by source.rest = {} of gravity times time "
       "step; less tolerance of the solver, or rolling friction, may help",
-      released_ + 1, count(), scene_.source.rest);
+      released_ + 1, count(), source_.rest);
 }
 
 void Sequential::exchange(Archive& archive) {
@@ -78,6 +78,10 @@ void Sequential::exchange(Archive& archive) {
   archive.value("source/next", next_);
   archive.value("source/last", last_);
   archive.value("source/quiet", quiet_);
+}
+
+std::unique_ptr<Source> SequentialSource::start(const Scene& scene, double time_step, std::int64_t first_id) const {
+  return std::make_unique<Sequential>(scene, *this, time_step, first_id);
 }
 
 }  // namespace repose
