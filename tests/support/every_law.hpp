@@ -8,8 +8,8 @@
 
 namespace repose::testing {
 
-/// One law of each kind in the registry, with usual parameters; a law that is registered but missing here fails
-/// to compile the check below.
+/// Every law of the registry, with usual parameters. The check below does not compile if a registered law is missing
+/// here.
 inline std::vector<NormalLaw> every_normal_law() {
   return {Continuous::make(36, 1.2, 0.5, 1.0), Hooke{2e4, 0.3}, Hertz{1e5, 0.3}};
 }
@@ -22,7 +22,7 @@ static_assert(std::variant_size_v<NormalLaw> == 3 && std::variant_size_v<Tangent
                   std::variant_size_v<RollingLaw> == 2 && std::variant_size_v<CohesionLaw> == 2,
               "add the new law to the lists above");
 
-/// Every normal with every tangential law, of dry grains that roll freely.
+/// Calls `use` with every normal and tangential law, without rolling resistance and cohesion.
 template <class Use>
 void for_every_pair_law(Use&& use) {
   for (const auto& normal : every_normal_law()) {
@@ -30,7 +30,7 @@ void for_every_pair_law(Use&& use) {
   }
 }
 
-/// The same with every resistance to rolling and every cohesion.
+/// Calls `use` with every combination of laws.
 template <class Use>
 void for_all_laws(Use&& use) {
   for (const auto& normal : every_normal_law()) {

@@ -46,7 +46,7 @@ struct PourSource final : KindOf<PourSource, DropSource> {
   static constexpr std::string_view meaning = "poured from an opening, each grain at its own time";
 
   std::string describe() const override;
-  std::unique_ptr<Source> start(const Scene& scene, double time_step, std::int64_t first_id) const override;
+  std::unique_ptr<Source> start(const Scene& scene, const TimeSteps& steps, std::int64_t first_id) const override;
 
  protected:
   Default usual_half_width(const Scene& scene) const override;
@@ -57,7 +57,7 @@ struct RainSource final : KindOf<RainSource, DropSource> {
   static constexpr std::string_view meaning = "rained over a width, many at once";
 
   std::string describe() const override;
-  std::unique_ptr<Source> start(const Scene& scene, double time_step, std::int64_t first_id) const override;
+  std::unique_ptr<Source> start(const Scene& scene, const TimeSteps& steps, std::int64_t first_id) const override;
 
  protected:
   Default usual_half_width(const Scene& scene) const override;

@@ -37,7 +37,7 @@ struct SequentialSource final : KindOf<SequentialSource, SourceKind> {
   double expected_end(const Scene& scene) const override;
   double expected_work(const Scene& scene, double time) const override;
   std::string describe() const override;
-  std::unique_ptr<Source> start(const Scene& scene, double time_step, std::int64_t first_id) const override;
+  std::unique_ptr<Source> start(const Scene& scene, const TimeSteps& steps, std::int64_t first_id) const override;
 };
 
 }  // namespace repose
