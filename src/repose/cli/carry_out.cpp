@@ -24,9 +24,8 @@ void add_threads(CLI::App& command, int& threads) {
 int threads_for(const Scene& scene, int wanted) {
   if (wanted > 0) return wanted;
   constexpr std::int64_t grains_per_thread = 2000;
-  const auto& source = scene.source;
-  const auto lattice = source.rows * (source.columns > 0 ? source.columns : (source.rows + 1) / 2);
-  const auto grains = source.count + lattice + scene.start.moving + static_cast<std::int64_t>(scene.placed.size());
+  const auto of_source = scene.source->released() + scene.source->placed();
+  const auto grains = of_source + scene.start.moving + static_cast<std::int64_t>(scene.placed.size());
   const auto useful = std::max<std::int64_t>(1, grains / grains_per_thread);
   return static_cast<int>(std::min<std::int64_t>(useful, std::max(1U, std::thread::hardware_concurrency())));
 }

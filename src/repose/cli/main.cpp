@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
   const auto solve = add_solve(app);
   const auto theory = add_theory(app);
   const auto plot = add_plot(app);
+  const auto scene = add_scene(app);
   const auto reference = add_reference(app);
   try {
     app.parse(argc, argv);
@@ -43,7 +44,7 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : exit_bad_input;
   }
   try {
-    for (const auto& command : {run, check, resume, sweep, analyse, exports, solve, theory, plot, reference}) {
+    for (const auto& command : {run, check, resume, sweep, analyse, exports, solve, theory, plot, scene, reference}) {
       if (command.app->parsed()) return command.act();
     }
   } catch (const InputError& error) {

@@ -6,6 +6,7 @@
 #include "repose/contact_problem/contact_problem_groups.hpp"
 #include "repose/core/errors.hpp"
 #include "repose/results/reference.hpp"
+#include "repose/scene/reference.hpp"
 #include "repose/sweep/groups.hpp"
 
 #include <CLI/CLI.hpp>
@@ -24,6 +25,7 @@ struct Page {
   std::string (*text)();
 };
 constexpr Page pages[] = {
+    {"scene", scene_reference},
     {"run-folder", [] { return markdown_of(run_folder_reference()); }},
     {"summary", [] { return markdown_of(summary_reference()); }},
     {"analysis", [] { return markdown_of(analysis_reference()); }},

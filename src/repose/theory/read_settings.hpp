@@ -3,7 +3,7 @@
 #pragma once
 
 #include "repose/core/errors.hpp"
-#include "repose/theory/model_parameters.hpp"
+#include "repose/core/parameters.hpp"
 
 #include <map>
 #include <set>
@@ -13,28 +13,28 @@
 
 namespace repose::theory {
 
-/// Reads settings into the parameters of a model, and gathers what is wrong with them.
-class SettingsReader : public ModelParameters {
+/// Reads settings into the parameters of a model and gathers what is wrong with them.
+class SettingsReader final : public Parameters {
  public:
   explicit SettingsReader(const std::vector<std::pair<std::string, std::string>>& settings);
-
-  void number(std::string_view name, double& value, const Bounds& bounds, std::string_view unit,
-              std::string_view about) override;
-  void optional_number(std::string_view name, std::optional<double>& value, std::string_view otherwise,
-                       const Bounds& bounds, std::string_view unit, std::string_view about) override;
-  void integer(std::string_view name, std::int64_t& value, const WholeBounds& bounds, std::string_view about) override;
-  void choice(std::string_view name, std::string& value, const std::vector<std::string>& words,
-              std::string_view about) override;
-  void text(std::string_view name, std::string& value, std::string_view about) override;
 
   /// What is wrong, after all parameters were shown; a setting that no parameter took is unknown to `model`.
   std::vector<std::string> problems(std::string_view model) const;
 
  private:
-  const std::string* take(std::string_view name);
-  void complain(std::string_view name, const std::string& written, const std::string& what);
-  void read(std::string_view name, const std::string& written, double& value, const Bounds& bounds,
-            std::string_view unit);
+  void show(const Item& item) override;
+  void missing(const Item& item);
+  void complain(const Item& item, const std::string& written, const std::string& what);
+
+  void read(const Item& item, const std::string& written, const Number& number);
+  void read(const Item& item, const std::string& written, const OptionalNumber& number);
+  void read(const Item& item, const std::string& written, const Whole& whole);
+  void read(const Item& item, const std::string& written, const Choice& choice);
+  void read(const Item& item, const std::string& written, const Text& text);
+  template <class Other>
+  void read(const Item& item, const std::string& written, const Other&) {
+    complain(item, written, "cannot be set by a word or a number");
+  }
 
   std::map<std::string, std::string, std::less<>> settings_;
   std::set<std::string, std::less<>> known_;

@@ -19,7 +19,7 @@ GrainDraw::GrainDraw(const Scene& scene, Purpose species, Purpose size)
   }
   double sum = 0.0;
   for (const auto& one : scene.species) {
-    const auto sizes = one.sizes.distribution();
+    const auto sizes = one.sizes->distribution();
     const double mass = scene.mass_of(d, one.material);
     // A share by mass is one by number over the mean mass.
     sum += scene.grains.shares == "mass" ? one.share / (mass * sizes.mean_square() / (d * d)) : one.share;
