@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
   Soft<2, Law> method(soft::MaterialTable<Law>(bench::hooke_linear()), bench::settings_of(bed));
   Team team(1);
   method.grains_added(bed.grains);
-  method.advance(bed.grains, std::stol(argv[1]), team);
+  method.advance(bed.grains, method.time_steps().after(std::stol(argv[1])), team);
   double mass = 0.0;
   double height = 0.0;
   for (const auto& grain : bed.grains.line) {

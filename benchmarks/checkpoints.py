@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What checkpoints and the time series cost: one scene with and without them, by turns.
+"""Measures the cost of checkpoints and of the time series: runs one scene with and without them, alternately.
 
-Prints the ratio of the times of each round, of the CPU (which other work on the machine hardly touches, but which leaves
-out waiting for the disk) and of the clock. Exit status 1 if the runs do not end in the same bits.
+Prints, for each round, the ratio of the CPU times (which other work on the machine hardly affects, but which exclude
+waiting for the disk) and of the wall times. Exit status 1 if the runs do not end with the same bits.
 
 usage: benchmarks/checkpoints.py [--program FILE] [--scene FILE] [--time T] [--rounds N]
 """
@@ -20,7 +20,7 @@ import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-SELDOM = "output.series=1e9"  # no row but the last
+SELDOM = "output.series=1e9"  # only the last row
 WITHOUT = "without"
 VARIANTS = {
     WITHOUT: ["output.checkpoint=0", SELDOM],

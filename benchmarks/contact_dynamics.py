@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Contact dynamics of Repose and, where they are installed, of Siconos and Box2D on the same settled beds in one run.
+"""Compares contact dynamics of Repose, Siconos and Box2D (if installed) on the same settled beds in one run.
 
-Called by ./dev bench --contact-dynamics. Each solver has one thread; CPU time is that of the solver alone. Programs take
-turns, and medians of the rounds, and of ratios within a round, are what to quote. Impulses are judged by the outside
-function of benchmarks/peers/contact_problem.py alone. Slow is never an error: the exit status is 1 only if something
-fails to run.
+Called by ./dev bench --contact-dynamics. Each solver has one thread; CPU time is that of the solver alone. The programs
+alternate. Quote medians over the rounds, and medians of ratios within a round. Impulses are judged only by the independent
+function in benchmarks/peers/contact_problem.py. Slowness is never an error: the exit status is 1 only if something fails
+to run.
 """
 
 import argparse
@@ -25,17 +25,17 @@ PEERS = os.path.join(ROOT, "benchmarks", "peers")
 sys.path.insert(0, PEERS)
 from contact_problem import read_problem, residual  # noqa: E402
 
-TOLERANCE = 1e-4  # of the outside residual
+TOLERANCE = 1e-4  # of the independent residual
 ROWS = {1000: 20, 5000: 100}  # of 50 discs
 SICONOS_BED, BOX2D_BED, BED = 1000, 5000, 5000
-RATE_SWEEPS = 500  # forward and backward: 1000 visits of each contact
-GIVEN_UP = 4e7  # contact-iterations of Repose per second that Siconos gets
+RATE_SWEEPS = 500  # each forward and backward: 1000 visits of each contact
+GIVEN_UP = 4e7  # contact-iterations per second of Repose over those of Siconos
 BARS = {"time": 10.0, "siconos": 10.0, "box2d": 2.0}
 ONE_THREAD = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
 
 
 class Failed(Exception):
-    """Something that was to be timed did not run."""
+    """A program to be timed did not run."""
 
 
 def run(command, **how):
@@ -63,7 +63,7 @@ class Bed:
         self.problem = read_problem(self.file)
 
     def solve(self, *options):
-        """What `repose solve` says of its solution, with the outside residual."""
+        """The report of `repose solve` on its solution, with the independent residual."""
         run([self.repose, "solve", self.file, "--out", self.answer, "--overwrite", "--quiet", *options])
         with h5py.File(self.answer) as file:
             found = {name: file.attrs[name] for name in ("cpu_seconds", "contact_iterations", "sweeps")}
@@ -72,7 +72,7 @@ class Bed:
         return found
 
     def table(self):
-        """(time step, discs and walls, one a line) as repose_box2d_bench reads them."""
+        """(time step, one disc or wall per line) in the form that repose_box2d_bench reads."""
         with h5py.File(self.file) as file:
             body = {name: data[()] for name, data in file["bodies"].items()}
             second, normal = file["contacts/bodies"][:, 1], file["contacts/normal"][()]
@@ -98,7 +98,7 @@ def box2d(program, bed):
 
 
 def one_round(beds, options, peers, starts):
-    """{case: figures}: what each program does, in turn."""
+    """{case: figures} of each program, one after the other."""
     cases = {}
     for start in starts:
         begin = ["--warm"] if start == "warm" else []

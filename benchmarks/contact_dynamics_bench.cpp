@@ -55,7 +55,7 @@ SettledBed& settled_bed(int count) {
   }
   bed.method->grains_added(bed.grains);
   Team team(1);
-  bed.method->advance(bed.grains, 600, team);
+  bed.method->advance(bed.grains, bed.method->time_steps().after(600), team);
   return bed;
 }
 
@@ -84,7 +84,7 @@ void steps(benchmark::State& state) {
   Team team(1);
   double moved = 0.0;
   for (auto _ : state) {
-    bed.method->advance(bed.grains, 10, team);
+    bed.method->advance(bed.grains, bed.method->time() + bed.method->time_steps().after(10), team);
     moved += 10.0 * static_cast<double>(bed.grains.size());
   }
   state.counters["grain_steps"] = benchmark::Counter(moved, benchmark::Counter::kIsRate);
@@ -113,7 +113,7 @@ void one_by_one(benchmark::State& state) {
   auto problem = problem_of_bed(static_cast<int>(state.range(0)), state.range(1) != 0);
   const contact_dynamics::LineSweeps<2> sweeps;
   auto changes = sweeps.impulses(problem);
-  for (auto _ : state) sweeps.sweep_to_and_fro(problem, nullptr, changes);
+  for (auto _ : state) sweeps.sweep_both_ways(problem, nullptr, changes);
   count_visits(state, problem.contacts.size(), 2.0);
 }
 
@@ -128,7 +128,7 @@ void packed(benchmark::State& state) {
   packs.load(problem.contacts, impulses.data());
   problem.bodies.emplace_back();
   for (auto _ : state) {
-    packs.sweep_to_and_fro(impulses.data(), problem.bodies.data(), changes.data(), nullptr, problem.rolling, set);
+    packs.sweep_both_ways(impulses.data(), problem.bodies.data(), changes.data(), nullptr, problem.rolling, set);
   }
   count_visits(state, problem.contacts.size(), 2.0);
   state.counters["filling"] = static_cast<double>(problem.contacts.size()) / static_cast<double>(8 * packs.size());

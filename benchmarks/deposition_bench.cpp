@@ -44,7 +44,7 @@ void deposit(benchmark::State& state) {
       grains.add(fixed, k, true);
     }
     method->grains_added(grains);
-    benchmark::DoNotOptimize(method->advance(grains, static_cast<long>(settings.count), team));
+    benchmark::DoNotOptimize(method->advance(grains, static_cast<double>(settings.count), team));
   }
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

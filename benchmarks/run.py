@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Repose's benchmarks and, where lmp is installed, LAMMPS beside it on the same bed in the same run.
+"""Runs the benchmarks of Repose and, if lmp is installed, LAMMPS on the same bed in the same run.
 
 Called by ./dev bench. Rates are moving grain-steps per second of CPU time, or of wall time where threads are compared.
-Machines drift, so the ratios of paired rounds are what to quote. Slow is never an error: the exit status is 1 only if
-something fails to run, or if --check-physics finds the two programs apart.
+Machines drift, so quote the ratios of paired rounds. Slowness is never an error: the exit status is 1 only if something
+fails to run, or if --check-physics finds that the two programs differ.
 """
 
 import argparse
@@ -22,16 +22,16 @@ import tempfile
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 BAR = 2.5  # Repose over LAMMPS
 MOVING = 10000  # grains of the bed that move
-SKINS = (0.05, 0.1, 0.2, 0.3, 0.4)  # from which LAMMPS gets its best
+SKINS = (0.05, 0.1, 0.2, 0.3, 0.4)  # at least one of them is the best for LAMMPS
 PHYSICS_STEPS = 20000
 
 
 class Failed(Exception):
-    """Something that was to be timed did not run."""
+    """A program to be timed did not run."""
 
 
 def run(command, **how):
-    """The finished command; its last words if it fails."""
+    """Runs a command; raises Failed with the end of its output if it fails."""
     try:
         done = subprocess.run(command, capture_output=True, text=True, **how)
     except OSError as problem:
@@ -42,7 +42,7 @@ def run(command, **how):
 
 
 def bench(program, pattern):
-    """{name: figures} of the Google Benchmark cases whose names match; settings of a case are cut off its name."""
+    """{name: figures} of the Google Benchmark cases with matching names; names are without the settings of the case."""
     output = run([program, f"--benchmark_filter={pattern}", "--benchmark_format=json"])
     cases = {}
     for case in json.loads(output[output.index("{") :])["benchmarks"]:
@@ -66,7 +66,7 @@ def lammps(program, bed, skin, steps, folder, every=0):
 
 
 def lammps_rate(program, bed, skin, steps, folder):
-    """Moving grain-steps per CPU second of the steps alone: those of a long run less those of a short one."""
+    """Moving grain-steps per CPU second of the steps alone: a long run minus a short one."""
     few = steps // 10
     short, _ = lammps(program, bed, skin, few, folder)
     long, _ = lammps(program, bed, skin, steps, folder)
@@ -90,7 +90,7 @@ def print_cases(cases):
 
 
 def compare_threads(program, rounds):
-    """Two threads over one on the same 100 000 grains, in pairs of wall times."""
+    """Compares two threads with one on the same 100 000 grains, in pairs of wall times."""
     ratios = []
     for _ in range(rounds):
         cases = bench(program, "^bed_threads/copies:10/")
@@ -101,7 +101,7 @@ def compare_threads(program, rounds):
 
 
 def compare_speed(program, peer, bed, rounds, steps, folder):
-    """The bed in Repose and in LAMMPS by turns; says whether the bar is met."""
+    """Runs the bed in Repose and in LAMMPS alternately, and reports whether the bar is met."""
     rates = {skin: lammps_rate(peer, bed, skin, steps, folder) for skin in SKINS}
     skin = max(rates, key=rates.get)
     own, other = [], []
@@ -124,10 +124,10 @@ def thermo(log):
 
 
 def compare_physics(physics, peer, bed, folder):
-    """The bed after the same time in both: whether energy, centre of mass and force on the fixed row agree.
+    """Compares the bed after the same time in both programs: energy, centre of mass and force on the fixed row.
 
-    The dashpots differ, proportional to the mass of a pair in LAMMPS and to its root in Repose, so that energies agree
-    in part only; where the grains come to rest and what they weigh must not depend on that.
+    The dashpots differ: they are proportional to the mass of a pair in LAMMPS and to its square root in Repose. So the
+    energies agree only in part. The positions of rest and the weight must not depend on the dashpots.
     """
     _, log = lammps(peer, bed, 0.1, PHYSICS_STEPS, folder, every=PHYSICS_STEPS)
     start, end = thermo(log)[0], thermo(log)[-1]

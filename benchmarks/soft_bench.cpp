@@ -8,7 +8,6 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -41,11 +40,12 @@ void bed(benchmark::State& state, const Law& law) {
   Team team(static_cast<int>(state.range(1)));
   method.grains_added(grains);
   const long steps = std::max(10L, 500 / static_cast<long>(state.range(0)));
-  method.advance(grains, steps, team);
+  const double duration = method.time_steps().after(steps);
+  method.advance(grains, duration, team);
   const auto builds = method.pairs().builds();
   long taken = 0;
   for (auto _ : state) {
-    if (method.advance(grains, steps, team).trouble) state.SkipWithError("the bed has exploded");
+    if (method.advance(grains, method.time() + duration, team).trouble) state.SkipWithError("the bed has exploded");
     taken += steps;
   }
   set_rate(state, static_cast<double>(taken), moving_count(grains));
@@ -75,8 +75,7 @@ const Simulation& growing_heap() {
     Overrides overrides;
     overrides.set = {"source.rate=4", "stop.time=170"};
     auto made = std::make_unique<Simulation>(read_scene(REPOSE_EXAMPLES "/heap.toml", overrides), 1);
-    const std::atomic<bool> interrupt{false};
-    made->run({}, interrupt);
+    made->run();
     return made;
   }();
   return *simulation;
@@ -89,9 +88,10 @@ void heap_continuous(benchmark::State& state) {
   const auto method = make_method(heap.scene());
   Team team(1);
   method->grains_added(grains);
+  const double duration = method->time_steps().after(500);
   long taken = 0;
   for (auto _ : state) {
-    if (method->advance(grains, 500, team).trouble) state.SkipWithError("the heap has exploded");
+    if (method->advance(grains, method->time() + duration, team).trouble) state.SkipWithError("the heap has exploded");
     taken += 500;
   }
   set_rate(state, static_cast<double>(taken), moving_count(grains));

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Contact problems (docs/reference/contact-problem.md) read from their files, and impulses judged by the equations alone.
+"""Reads contact problems (docs/reference/contact-problem.md) from files, and judges impulses by the equations alone.
 
-Nothing here knows any solver. With M the masses and H the map from velocities of the bodies to velocities of the contacts,
-impulses p are a solution if with v = v_free + M^-1 H^T p and u = H v + bias every contact obeys Signorini's condition,
-0 <= p_n, 0 <= u_n, p_n u_n = 0, and Coulomb's law in its tangential and its rolling part.
+This module is independent of every solver. M are the masses, and H maps velocities of the bodies to velocities of the
+contacts. Impulses p are a solution if, with v = v_free + M^-1 H^T p and u = H v + bias, every contact obeys Signorini's
+condition, 0 <= p_n, 0 <= u_n, p_n u_n = 0, and Coulomb's law for its tangential and its rolling part.
 """
 
 from dataclasses import dataclass
@@ -29,7 +29,7 @@ class ContactProblem:
     bias: np.ndarray  # (M, 3) [L/T]
     friction: np.ndarray  # (M)
     rolling_friction: np.ndarray  # (M)
-    start: np.ndarray  # (M, 3) [M L/T] impulses that contacts bring
+    start: np.ndarray  # (M, 3) [M L/T] initial impulses of the contacts
 
 
 def read_problem(path):
@@ -42,7 +42,7 @@ def read_problem(path):
     zero = np.zeros_like(nx)
 
     def block(sign, arm):
-        """Rows: velocity along n, along t = (-ny, nx) at the contact point, and of rolling."""
+        """The rows are the velocity along n, along t = (-ny, nx) at the contact point, and of rolling."""
         rows = [[sign * nx, sign * ny, zero], [-sign * ny, sign * nx, -arm], [zero, zero, sign * roll]]
         return np.moveaxis(np.array(rows), 2, 0)
 
@@ -61,7 +61,7 @@ def read_problem(path):
 
 
 def velocities(problem, impulses):
-    """Velocities of the bodies (N, 3) with impulses (M, 3) of all contacts."""
+    """Velocities of the bodies (N, 3) after the impulses (M, 3) of all contacts."""
     momentum = np.zeros_like(problem.free_velocity)
     for side, blocks in enumerate((problem.to_first, problem.to_second)):
         np.add.at(momentum, problem.bodies[:, side], np.einsum("mij,mi->mj", blocks, impulses))
@@ -79,7 +79,7 @@ def contact_velocities(problem, body_velocities):
 
 
 def own_masses(problem):
-    """What an impulse of a contact meets in its own direction (M, 3) [M]: 1 over the diagonal of H M^-1 H^T."""
+    """Effective masses of the contacts (M, 3) [M]: 1 over the diagonal of H M^-1 H^T."""
     first, second = (problem.inverse_mass[problem.bodies[:, side]] for side in (0, 1))
     return 1.0 / (
         np.einsum("mij,mj->mi", problem.to_first**2, first) + np.einsum("mij,mj->mi", problem.to_second**2, second)
@@ -87,13 +87,13 @@ def own_masses(problem):
 
 
 def residual(problem, impulses):
-    """By how much impulses (M, 3) miss the laws: {"normal", "tangential", "rolling", "worst"}, over the velocity scale,
-    and "complementarity", |p_n u_n| over mass and scale squared; the worst contact of each.
+    """The largest violation of each law by the impulses (M, 3): {"normal", "tangential", "rolling", "worst"}, over the
+    velocity scale, and "complementarity", |p_n u_n| over mass and scale squared.
 
     The first three are |p - projection(p - m u)| / m, which is 0 if and only if the law holds. The limit of friction
-    goes with the normal impulse that there should be, the limit of rolling with the one that is.
+    follows from the projected normal impulse, the limit of rolling from the actual one.
 
-    Infinite friction: a contact that is pressed by nothing, touches and slides may carry any friction against its slip.
+    Infinite friction: a contact that touches, slides and has no normal impulse may carry any friction against its slip.
     """
     mass = own_masses(problem)
     u = contact_velocities(problem, velocities(problem, impulses))

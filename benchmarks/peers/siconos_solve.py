@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A contact problem solved by NSGS of Siconos (Debian's python3-siconos), the nonsmooth Gauss-Seidel method, in 2D.
+"""Solves a contact problem in 2D with NSGS of Siconos (Debian's python3-siconos), the nonsmooth Gauss-Seidel method.
 
-Siconos is given its fastest way: its matrix in blocks of 2 x 2, each contact solved exactly with what its neighbours do
-taken from their blocks, no evaluation of its own error between iterations. Only the iterations are timed: neither the
-building of the matrix, nor the outside residual that says when to stop.
+Siconos runs in its fastest mode: the matrix in blocks of 2 x 2, each contact solved exactly with the effect of its
+neighbours from their blocks, without evaluation of its own error between iterations. Only the iterations are timed, not
+the building of the matrix and not the independent residual that decides when to stop.
 
 usage: siconos_solve.py FILE [--tolerance T | --iterations N] [--warm] [--seconds S]
 """
@@ -25,8 +25,8 @@ LIGHT = siconos.SICONOS_FRICTION_3D_NSGS_ERROR_EVALUATION_LIGHT
 
 
 def matrix_to_contacts(problem):
-    """H as a sparse matrix: rows are the normal and tangential velocity of each contact in turn, columns the motions of
-    each body in turn."""
+    """H as a sparse matrix: the rows are the normal and tangential velocity of one contact after the other, the columns
+    the velocity components of one body after the other."""
     contacts = len(problem.friction)
     parts = [NORMAL, TANGENTIAL]
     rows, columns, values = [], [], []
@@ -40,7 +40,7 @@ def matrix_to_contacts(problem):
 
 
 class Nsgs:
-    """The problem as Siconos takes it, u = W p + q with W = H M^-1 H^T, and the iterations so far."""
+    """The problem in the form of Siconos, u = W p + q with W = H M^-1 H^T, and the number of iterations so far."""
 
     def __init__(self, problem, warm=False):
         if problem.rolling_friction.any() or not np.isfinite(problem.friction).all():
@@ -83,7 +83,8 @@ class Nsgs:
         return residual(self.problem, impulses)["worst"]
 
     def solve(self, tolerance, seconds):
-        """Until the outside residual is within the tolerance, looked at every 5 % of the iterations, or CPU time is up."""
+        """Iterates until the independent residual, computed every 5 % of the iterations, is within the tolerance, or until
+    the CPU time is used up."""
         while self.residual() > tolerance and self.cpu_seconds < seconds:
             self.iterate(max(5, self.iterations // 20))
 

@@ -15,14 +15,15 @@ namespace {
 namespace py = pybind11;
 using namespace repose;
 
-/// What Python makes of a table: (columns, numbers), lists of (name, unit, about, array or list or number).
+/// A table for Python: (columns, numbers), lists of (name, unit, about, value); the value of a column is an array of
+/// numbers or a list of words.
 py::tuple as_python(const theory::Table& table) {
   py::list columns;
   for (const auto& column : table.columns) {
-    py::object values = column.words.empty()
-                            ? py::object{py::array_t<double>(static_cast<py::ssize_t>(column.values.size()),
-                                                             column.values.data())}
-                            : py::object{py::cast(column.words)};
+    py::object values =
+        column.words.empty()
+            ? py::object{py::array_t<double>(static_cast<py::ssize_t>(column.values.size()), column.values.data())}
+            : py::object{py::cast(column.words)};
     columns.append(py::make_tuple(column.name, column.unit, column.about, values));
   }
   py::list numbers;
@@ -32,6 +33,7 @@ py::tuple as_python(const theory::Table& table) {
   return py::make_tuple(columns, numbers);
 }
 
+/// Name, description, source and parameters of a model; parameters as tuples in the order of Parameter in theory.py.
 py::dict describe(const theory::Model& model) {
   const auto text = theory::text_of(model);
   py::list parameters;

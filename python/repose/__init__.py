@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Repose in Python: read run and sweep folders as numpy arrays and draw them. The physics is the program's.
+"""Repose in Python: reads run and sweep folders as numpy arrays and draws them. The program computes the physics.
 
     import repose
     run = repose.open("out/heap")
@@ -14,7 +14,8 @@
 from pathlib import Path
 
 from repose.analysis import Analysis
-from repose.hdf5 import RunFolderError, Table
+from repose.errors import RunFolderError
+from repose.hdf5 import Table
 from repose.run_folder import Contacts, Grains, RunFolder, State
 from repose.sweep_folder import Profile, SweepFolder
 
@@ -33,7 +34,7 @@ __all__ = [
 
 
 def open(path):
-    """The folder at `path` as a RunFolder or a SweepFolder; RunFolderError, one line, if there is none to read."""
+    """The folder at `path` as a RunFolder or a SweepFolder; RunFolderError, one line, if it is neither or damaged."""
     folder = Path(path)
     if (folder / "sweep.h5").is_file():
         return SweepFolder(folder)

@@ -17,11 +17,11 @@ GROUPS = {
     "motion": "start end grains moved moved_left depth kinetic_energy angle_left angle_right",
     "avalanches": "start end size duration waiting depth left",
     "bursts": "start end duration waiting peak",
-}  # by group the datasets that it has
+}  # needed datasets by group
 
 
 class Packing(Table):
-    """The group of a packing: a Table of its own with a Table by name for each part that it has."""
+    """The group of a packing: its own Table, and a Table by name for each of its parts."""
 
     parts: "dict[str, Table]"
 
@@ -31,7 +31,7 @@ class Packing(Table):
 
 
 class Analysis(dict):
-    """What the analysis derived from the last state of a run: a Table by name of its group, None without."""
+    """The analysis of the last state of a run: a Table by name of its group, None for an absent group."""
 
     attributes: dict  # of analysis.h5: repose_version, time [T] of the state
     packing: "Packing | None"

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What all readers share: open a file, check its format, and say in one line what is wrong with it."""
+"""Opens the HDF5 files of Repose, checks their seals and formats, and reports damage in one line."""
 
 import warnings
 from contextlib import contextmanager
@@ -9,16 +9,14 @@ from functools import cache
 import h5py
 import numpy as np
 
+from repose.errors import RunFolderError, one_line
+
 try:
     import xxhash
 except ImportError:
     xxhash = None
 
-SEAL_SIZE = 512  # bytes before the HDF5 file proper
-
-
-class RunFolderError(ValueError):
-    """A folder that holds nothing readable; the message is one line."""
+SEAL_SIZE = 512  # bytes before the HDF5 file itself
 
 
 class Table(dict):
@@ -55,22 +53,22 @@ def check_format(path, attributes, kind, version, needed=()):
     if attributes.get("format") != f"repose-{kind}":
         raise RunFolderError(f"{path}: not {article} {kind} of Repose (no format = 'repose-{kind}')")
     if attributes.get("format_version") != version:
-        raise RunFolderError(f"{path}: format_version {attributes.get('format_version')}; this reads {version}")
+        raise RunFolderError(f"{path}: format_version {attributes.get('format_version')}; this package reads {version}")
     missing = sorted(set(needed) - attributes.keys())
     if missing:
-        raise RunFolderError(f"{path}: not as the format says: no attribute {', '.join(missing)}")
+        raise RunFolderError(f"{path}: does not follow the format: no attribute {', '.join(missing)}")
 
 
 @cache
 def can_hash():
-    """Whether damage can be told; says so once if not."""
+    """Whether damage can be detected; warns once if not."""
     if xxhash is None:
-        warnings.warn("no Python package xxhash: damaged files of a run are not recognised", stacklevel=2)
+        warnings.warn("no Python package xxhash: damaged files are not detected", stacklevel=2)
     return xxhash is not None
 
 
 def check_seal(path):
-    """RunFolderError unless a sealed file is as Repose wrote it: length and hash of what follows its first 512 bytes."""
+    """RunFolderError unless a sealed file has the length and the hash that its first 512 bytes state."""
     with open(path, "rb") as file:
         seal = file.read(SEAL_SIZE).rstrip(b"\0").decode("ascii", "replace").split("\n")
         if seal[0] != "repose sealed file" or not can_hash():
@@ -85,7 +83,7 @@ def check_seal(path):
 
 @contextmanager
 def opened(path):
-    """An HDF5 file; what h5py says of it, or of a missing or damaged part, becomes a RunFolderError."""
+    """An HDF5 file; errors of h5py and missing or damaged parts become a RunFolderError."""
     if not path.is_file():
         raise RunFolderError(f"{path.parent}: no {path.name} in this folder")
     try:
@@ -99,8 +97,4 @@ def opened(path):
         except RunFolderError:
             raise
         except (AttributeError, KeyError, OSError, TypeError, ValueError) as error:
-            raise RunFolderError(f"{path}: not as the format says: {one_line(error)}") from error
-
-
-def one_line(error):
-    return " ".join(str(error).strip("'\"").split())
+            raise RunFolderError(f"{path}: does not follow the format: {one_line(error)}") from error

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the standard pictures of a run or sweep folder: `python3 -m repose.plot DIR`, or `repose plot DIR`."""
+"""Draws the pictures of a run or sweep folder: `python3 -m repose.plot DIR`, or `repose plot DIR`."""
 
 import argparse
 import sys
@@ -10,22 +10,22 @@ import matplotlib
 
 import repose
 from repose import style
-from repose.not_drawn import NotDrawn
-from repose.pictures import PICTURES
+from repose.errors import NotDrawn
+from repose.pictures.run import RUN_PICTURES
 from repose.pictures.sweep import SWEEP_PICTURES
 
 FORMATS = ("png", "svg")
 
 
 class Parser(argparse.ArgumentParser):
-    """Complains in one line."""
+    """Reports errors in one line."""
 
     def error(self, message):
         self.exit(2, f"{self.prog}: {message}\n")
 
 
 def list_of(known):
-    """Reads comma-separated names out of the known ones."""
+    """A reader of comma-separated names, all of which must be known."""
 
     def read(text):
         names = [name.strip() for name in text.split(",")]
@@ -53,30 +53,30 @@ def frame_name(text):
 
 def parser():
     new = Parser(
-        prog="repose plot", description="Draw the standard pictures of a run or sweep folder into DIR/pictures."
+        prog="repose plot", description="Draw the pictures of a run or sweep folder into DIR/pictures."
     )
     new.add_argument("folder", metavar="DIR", help="run folder or sweep folder")
-    known = f"of a run: {','.join(PICTURES)}; of a sweep: {','.join(SWEEP_PICTURES)}"
+    known = f"of a run: {','.join(RUN_PICTURES)}; of a sweep: {','.join(SWEEP_PICTURES)}"
     new.add_argument("--only", metavar="NAMES", help=known)
     new.add_argument("--format", type=list_of(FORMATS), default=list(FORMATS), metavar="KINDS", help="png,svg")
-    new.add_argument("--dpi", type=dots_per_inch, default=200, metavar="N", help="of PNG (default: 200)")
+    new.add_argument("--dpi", type=dots_per_inch, default=200, metavar="N", help="resolution of PNG (default: 200)")
     new.add_argument("--frame", type=frame_name, metavar="NNNNNN", help="a saved frame of a run, not its last state")
     return new
 
 
 def pictures_of(folder, frame):
-    """Functions without arguments that return lists of figures, by name, and what to append to the names."""
+    """By name, functions without arguments that return lists of figures; and the suffix of the file names."""
     if isinstance(folder, repose.SweepFolder):
         if frame:
             raise repose.RunFolderError(f"{folder.path}: a sweep has no frames")
         return {name: partial(draw, folder) for name, draw in SWEEP_PICTURES.items()}, ""
     state = folder.frame(frame) if frame else folder.state
     suffix = f"-{state.frame}" if state.frame else ""
-    return {name: lambda draw=draw: [draw(folder, state)] for name, draw in PICTURES.items()}, suffix
+    return {name: lambda draw=draw: [draw(folder, state)] for name, draw in RUN_PICTURES.items()}, suffix
 
 
 def draw_pictures(folder, pictures, suffix, options):
-    """One line for each file written and each picture left out; figures after the first of a picture are numbered."""
+    """Prints a line for each file written and each picture left out. The second figure of a picture ends in -2."""
     place = folder.path / "pictures"
     place.mkdir(exist_ok=True)
     for name, draw in pictures.items():

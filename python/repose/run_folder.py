@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 
 from repose.analysis import Analysis
-from repose.hdf5 import RunFolderError, Table, attributes_of, check_format, opened
+from repose.errors import RunFolderError
+from repose.hdf5 import Table, attributes_of, check_format, opened
 from repose.summary import read_summary
 
 FORMAT_VERSION = 3
@@ -25,7 +26,7 @@ class Grains:
     spin: np.ndarray  # (N) in 2D, (N, 3) in 3D [1/T], counter-clockwise
     radius: np.ndarray  # (N) [L]
     mass: np.ndarray  # (N) [M]
-    fixed: np.ndarray  # (N) bool: never moves nor turns
+    fixed: np.ndarray  # (N) bool: neither moves nor turns
     base: np.ndarray  # (N) bool: belongs to the base
     material: np.ndarray  # (N) uint16
 
@@ -34,20 +35,20 @@ class Grains:
 
     @property
     def held(self):
-        """Which grains the heap stands on or leans against: base grains and other fixed ones; (N) bool."""
+        """Grains that support the heap, (N) bool: base grains and other fixed ones."""
         return self.fixed | self.base
 
 
 @dataclass(frozen=True)
 class Contacts:
-    """Pairs within the reach of the normal law: M contacts in D dimensions; forces act on the first grain."""
+    """Pairs within the range of the normal law: M contacts in D dimensions; forces act on the first grain."""
 
     grains: np.ndarray  # (M, 2) int64 ids; second = -1 - k means wall k
     normal: np.ndarray  # (M, D) unit vector from the second to the first
     overlap: np.ndarray  # (M) [L], negative in the tail of the continuous law
     normal_force: np.ndarray  # (M) [M L/T^2], positive pushes apart
     tangential_force: np.ndarray  # (M) in 2D, (M, 3) in 3D [M L/T^2], along the normal turned by +90 degrees
-    history: np.ndarray  # (M) in 2D, (M, 3) in 3D [L]
+    history: np.ndarray  # (M) in 2D, (M, 3) in 3D [L], slip displacement
     sliding: np.ndarray  # (M) bool: at the Coulomb limit
 
     def __len__(self):
@@ -56,7 +57,7 @@ class Contacts:
 
 @dataclass(frozen=True)
 class State:
-    """Grains and contacts of one moment."""
+    """Grains and contacts at one time."""
 
     time: float  # [T]
     steps: int
@@ -65,7 +66,7 @@ class State:
     frame: "str | None" = None  # name of the saved frame; None: the last state of the run
 
     def rows(self, ids):
-        """Rows of the grains with these ids (any shape); RunFolderError if one is not there."""
+        """Rows of the grains with these ids (any shape); RunFolderError for an id without a grain."""
         rows = np.searchsorted(self.grains.id, ids)
         within = np.minimum(rows, len(self.grains) - 1)
         if np.size(ids) and (len(self.grains) == 0 or not np.array_equal(self.grains.id[within], ids)):
@@ -74,7 +75,7 @@ class State:
 
 
 class RunFolder:
-    """What a run wrote, read once: later changes of the folder do not show."""
+    """The results of a run, read once when opened: later changes of the folder have no effect."""
 
     path: Path
     attributes: dict  # of run.h5: title, units, time [T], grain_diameter [L], grain_weight [M L/T^2], periodic ...
@@ -82,7 +83,7 @@ class RunFolder:
     series: Table  # columns of /series, one row per observation; empty without
     base: "Table | None"  # forces on the base in grain weights; None without a row of base grains
     walls: "Table | None"  # name, point (W, D) [L] at the start, normal and direction of motion (W, D), half_length [L]
-    energy: "Table | None"  # columns of /energy [M L^2/T^2]; None unless the scene asks for the account
+    energy: "Table | None"  # columns of /energy [M L^2/T^2]; None without an energy budget
     analysis: "Analysis | None"  # Tables of analysis.h5; None without an analysis of the last state
     frames: "list[str]"  # names of the saved frames
     summary: dict  # summary.json; empty without
@@ -105,11 +106,11 @@ class RunFolder:
 
     @property
     def surface(self):
-        """Profile of the heap and lines of its flanks, a Table; None without."""
+        """Table of the surface profile with the lines of its flanks as attributes; None without an analysis."""
         return self.analysis and self.analysis["surface"]
 
     def frame(self, name):
-        """State of a saved frame: "000003" or 3."""
+        """State of the saved frame `name`, "000003" or 3."""
         name = str(name).zfill(6)
         if name not in self.frames:
             saved = f"{self.frames[0]} to {self.frames[-1]}" if self.frames else "none"
@@ -138,7 +139,7 @@ def _read_state(file, frame=None):
 
 
 def _read_analysis(path, state):
-    """None where there is no file, or one of an earlier state: a run that goes on writes run.h5 first."""
+    """None without a file, or with one of an earlier state: a running simulation writes run.h5 before analysis.h5."""
     if not path.is_file():
         return None
     analysis = Analysis(path)

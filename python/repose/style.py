@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""One look for all pictures: restrained, colour-blind safe (Okabe and Ito), small in vector formats."""
+"""One style for all pictures: restrained, colour-blind safe (Okabe and Ito), small in vector formats."""
 
 import os
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ PURPLE = "#aa3377"
 GREEN = "#009e73"
 SKY = "#56b4e9"
 AMBER = "#e69f00"
-SERIES = (BLUE, ORANGE, GREEN, PURPLE, SKY, AMBER)  # of things that stand side by side
+SERIES = (BLUE, ORANGE, GREEN, PURPLE, SKY, AMBER)  # of series in one picture
 MARKERS = ("o", "s", "^", "D", "v", "P")
 
 GRAIN = "#a9c4dc"  # moving grains
@@ -29,7 +29,7 @@ HELD = "#4d4d4d"  # base and other fixed grains
 NEIGHBOURS = ("#ece7f2", "#fee391", "#fdae61", "#a6d96a", "#66c2a5", "#4393c3", "#2d3f8c")  # 0, 1, ... 6 or more
 
 PACKING = "viridis_r"  # of solid fractions: dense is dark
-LOAD = ListedColormap(colormaps["Blues"](np.linspace(0.03, 0.72, 256)), "load")  # light enough for ink on it
+LOAD = ListedColormap(colormaps["Blues"](np.linspace(0.03, 0.72, 256)), "load")  # light enough for INK lines on it
 
 RC = {
     "font.family": "DejaVu Sans",
@@ -59,13 +59,13 @@ RC = {
     "legend.borderaxespad": 0.0,
     "legend.borderpad": 0.0,
     "lines.linewidth": 1.0,
-    "svg.hashsalt": "repose",  # the same run gives the same file
+    "svg.hashsalt": "repose",  # the same figure gives the same file
 }
 
 
 @dataclass(frozen=True)
 class Units:
-    """How lengths, times and energies are labelled."""
+    """Labels and values of lengths, times, stresses and energies with their units."""
 
     reduced: bool
 
@@ -87,10 +87,19 @@ class Units:
     def energy(self, symbol):
         return f"{symbol} / mgσ" if self.reduced else f"{symbol} (J)"
 
+    def energy_value(self, value):
+        return f"{value:.4g} mgσ" if self.reduced else f"{value:.4g} J"
+
 
 def units_of(run):
-    """Units of a run's scene."""
+    """Units of the scene of a run or sweep."""
     return Units(run.attributes["units"] == "reduced")
+
+
+def fit(figure, area=(0.0, 0.0, 1.0, 1.0), **padding):
+    """Fits the axes with their labels into an area (left, bottom, right, top) of the figure, in fractions of it."""
+    for _ in range(2):  # ticks and their labels change with the size of the axes
+        figure.tight_layout(pad=0.4, rect=area, **padding)
 
 
 def caption(figure, text):
@@ -100,7 +109,7 @@ def caption(figure, text):
 
 
 def save(figure, path, kind, dpi, title):
-    """Writes a picture under a temporary name and renames it, so that nobody meets half a file."""
+    """Writes a picture under a temporary name and renames it, so that no file is ever incomplete."""
     metadata = {"Title": title}
     if kind != "png":
         metadata["Date" if kind == "svg" else "CreationDate"] = None  # the same figure gives the same file

@@ -4,11 +4,12 @@
 
 import json
 
-from repose.hdf5 import RunFolderError, can_hash, one_line, xxhash
+from repose.errors import RunFolderError, one_line
+from repose.hdf5 import can_hash, xxhash
 
 
 def read_summary(path):
-    """The numbers by name, {} without a file; RunFolderError where it is not as it was written."""
+    """The numbers by name, {} without a file; RunFolderError if the file is damaged."""
     if not path.is_file():
         return {}
     try:

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from repose.hdf5 import RunFolderError, Table, attributes_of, check_format, opened
+from repose.errors import RunFolderError
+from repose.hdf5 import Table, attributes_of, check_format, opened
 from repose.summary import read_summary
 
 FORMAT_VERSION = 1
@@ -15,7 +16,7 @@ COLUMNS = "x normal normal_error shear shear_error"
 
 
 class Profile(Table):
-    """Mean base profile of a point by base grain [L], [grain weights], and the same in bins: another Table."""
+    """Mean base profile of a point, by base grain: x [L], forces [grain weights]; and a Table of it in bins."""
 
     def __init__(self, group):
         super().__init__(group, COLUMNS)
@@ -23,19 +24,19 @@ class Profile(Table):
 
 
 class SweepFolder:
-    """What a sweep wrote, read once: P points, K members."""
+    """The results of a sweep, read once when opened: P points, K members."""
 
     path: Path
     attributes: dict  # of sweep.h5: title, units, repose_version
     points: "list[str]"  # (P) names
     finished: np.ndarray  # (P) finished members
-    parameters: "dict[str, np.ndarray]"  # (P) by key, of keys that vary; NaN where not a number or not set
-    parameter_text: "dict[str, list[str]]"  # (P) the same as text, empty where not set
+    parameters: "dict[str, np.ndarray]"  # (P) by key that varies; NaN where not a number or not set
+    parameter_text: "dict[str, list[str]]"  # (P) the same as text, "" where not set
     measures: "dict[str, Table]"  # mean, error, deviation, count: each (P)
     members: Table  # point, seed, status: each (K)
     values: "dict[str, np.ndarray]"  # measures by member (K)
     profiles: "list[Profile | None]"  # (P)
-    summary: dict  # summary.json: theory that was laid on the profiles; empty without
+    summary: dict  # summary.json: comparisons of theory with the profiles; empty without
 
     def __init__(self, path):
         self.path = Path(path)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes the package importable from any working directory."""
+"""Puts the package on the path, whatever the working directory."""
 
 import sys
 from pathlib import Path

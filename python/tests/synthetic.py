@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Run folders in the format of docs/reference/run-folder.md, from grains on a lattice: no simulation."""
+"""Run folders in the format of docs/reference/run-folder.md, of grains on a lattice, without a simulation."""
 
 import json
 
@@ -47,8 +47,8 @@ def contacts_of(centre, radius, fixed, ids, period):
     }
 
 
-def with_planes(contacts, centre, radius, ids):
-    """The contacts, and one with plane 0 at height 0 for each grain that touches it."""
+def with_floor(contacts, centre, radius, ids):
+    """The contacts, and one with wall 0 at height 0 for each grain that touches it."""
     low = np.flatnonzero(centre[:, 1] - radius < 0.02)
     more = {
         "grains": np.column_stack([ids[low], np.full(len(low), -1)]),
@@ -63,11 +63,11 @@ def with_planes(contacts, centre, radius, ids):
 
 
 def write_run(
-    folder, moving, base=None, diameter=1.0, period=None, plane=False, surface=True, rows=40, track=True, **attributes
+    folder, moving, base=None, diameter=1.0, period=None, floor=False, surface=True, rows=40, track=True, **attributes
 ):
-    """Writes a run folder with its analysis; `moving` and `base` are centres in diameters, period too.
+    """Writes a run folder with its analysis; `moving` and `base` are centres in diameters, as is `period`.
 
-    Every third id is missing from the fifth grain on. `attributes` replace those of run.h5.
+    From the fifth grain on every third id is missing. `attributes` replace those of run.h5.
     """
     base = np.empty((0, 2)) if base is None else base
     centre = np.concatenate([base, moving.reshape(-1, 2)])
@@ -75,8 +75,8 @@ def write_run(
     fixed = np.arange(len(centre)) < len(base)
     ids = np.arange(len(centre)) + np.maximum(0, np.arange(len(centre)) - 4) // 2
     contacts = contacts_of(centre, radius, fixed, ids, period)
-    if plane:
-        contacts = with_planes(contacts, centre, radius, ids)
+    if floor:
+        contacts = with_floor(contacts, centre, radius, ids)
     for name in ("overlap", "history"):
         contacts[name] = contacts[name] * diameter
     grains = {
@@ -109,7 +109,7 @@ def write_run(
         write_group(file.create_group("contacts"), contacts)
         write_series(file.create_group("series"), rows, len(moving))
         file["frames/000000"] = h5py.ExternalLink("frames/000000.h5", "/")
-        if plane:
+        if floor:
             walls = {"point": np.zeros((1, 2)), "normal": np.array([[0.0, 1.0]]), "half_length": np.array([np.inf])}
             walls |= {"name": np.array([b"floor"]), "direction": np.zeros((1, 2)), "opens_at": np.array([np.inf])}
             write_group(file.create_group("walls"), walls)
@@ -138,7 +138,7 @@ def write_series(group, rows, grains):
 
 
 def write_wall_series(group, rows):
-    """A wall that stands under a push of 3 grain weights."""
+    """A fixed wall that carries 3 grain weights."""
     push = {"wall_force_x": np.zeros((rows, 1)), "wall_force_y": np.full((rows, 1), -3.0)}
     write_group(group, {**push, "wall_displacement": np.zeros((rows, 1))})
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""analysis.h5 in the format of docs/reference/analysis.md, with numbers that can be told apart in a picture."""
+"""analysis.h5 in the format of docs/reference/analysis.md, with numbers that a picture can be checked by."""
 
 import h5py
 import numpy as np
@@ -16,7 +16,7 @@ def write_group(group, columns, **attributes):
 
 
 def write_analysis(folder, grains, contacts, diameter, surface=True, track=True, time=120.0):
-    """Of the datasets of /grains and /contacts; without a heap there is only what needs none."""
+    """Writes analysis.h5 for the datasets of /grains and /contacts; groups that need a heap are absent without one."""
     moving, centre = grains["fixed"] == 0, grains["position"]
     with h5py.File(folder / "analysis.h5", "w") as file:
         text = {"format": np.bytes_(b"repose-analysis"), "repose_version": np.bytes_(b"0.1.0")}
@@ -48,7 +48,7 @@ def write_surface(group, apex, diameter):
 
 
 def write_base(group, x, loaded, diameter):
-    """Bins of 3 d with an error of a tenth; none in the first bin, which has one grain."""
+    """Bins of 3 d with an error of a tenth; the first bin has one grain and no error."""
     width = 3.0 * diameter
     centre = width * np.arange(np.ceil(x.min() / width), np.floor(x.max() / width) + 1)
     normal = np.maximum(0.0, 10.0 - np.abs(centre / diameter)) * loaded
@@ -94,7 +94,7 @@ def write_forces(group):
 
 
 def write_chains(group, contacts):
-    """Every second contact is in one of eight chains, dealt out so that the first is the largest."""
+    """Every second contact is in one of eight chains, of which the first is the largest."""
     count = len(contacts["grains"])
     chain = np.full(count, -1)
     strong = np.arange(0, count, 2)

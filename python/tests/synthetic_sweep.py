@@ -9,10 +9,27 @@ from synthetic_analysis import write_group
 KEYS = ("angle_of_repose_deg.mean", "base_dip.index", "coordination", "max_overlap", "core.solid_fraction")
 OFFSET = {"angle_of_repose_deg.mean": 20.0, "base_dip.index": 0.9, "coordination": 4.0}
 
+# Arguments of write_sweep.
+FRICTION = {"contact.friction": [0.2, 0.5, 0.4]}
+ONE = dict(names=["friction=0.2", "friction=0.5", "friction=0.4"], parameters=FRICTION)
+TWO = dict(
+    names=[f"friction={f}_spacing={s}" for f in (0.2, 0.3, 0.5) for s in (1.0, 1.1)],
+    parameters={"contact.friction": [0.2, 0.2, 0.3, 0.3, 0.5, 0.5], "base.spacing": [1.0, 1.1] * 3},
+)
+SCENES = dict(
+    names=[f"{name}_spacing={s}" for name in ("soft", "n144-long") for s in (1.0, 1.1, 1.2)],
+    parameters={"base.spacing": [1.0, 1.1, 1.2] * 2},
+)  # the scenes of the points differ by more than the parameters
+NAMED = dict(names=["continuous", "a_rather_long_name_of_a_point", "hooke"], parameters={"law": ["a", "b", None]})
+METHODS = dict(
+    names=[f"{name}_critical_angle={angle}" for name in ("deposition", "contact-dynamics") for angle in (0, 50, 90)],
+    parameters={"method.critical_angle": [0, 50, 90] * 2, "method.tolerance": [None] * 3 + [1e-3] * 3},
+)
+
 
 def write_sweep(folder, names, parameters=None, members=4, keys=KEYS, profiles=True, units="reduced"):
-    """`parameters`: by key the values of each point, None where not set. The measure of point p and seed s is
-    OFFSET + p / 10 + (s - mean seed) / 100; the last point has one member, and so no error."""
+    """Writes a sweep folder. `parameters`: values of the points by key, None where not set. The measure of point p and
+    seed s is OFFSET + p / 10 + (s - mean seed) / 100. The last point has one member, so no error."""
     parameters = parameters or {}
     folder.mkdir(parents=True)
     with h5py.File(folder / "sweep.h5", "w") as file:
@@ -43,7 +60,7 @@ def write_sweep(folder, names, parameters=None, members=4, keys=KEYS, profiles=T
 
 
 def texts(values):
-    """Fixed-length text, as the program writes it."""
+    """Text of fixed length, as the program writes it."""
     length = max([1, *(len(value.encode()) for value in values)])
     return np.array([value.encode() for value in values], dtype=h5py.string_dtype("utf-8", length))
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The reader gives the groups of analysis.h5, None for those that are absent, and one line about damage."""
+"""Reading analysis.h5: its groups, None for absent ones, and one line about damage."""
 
 import h5py
 import numpy as np
@@ -9,16 +9,16 @@ from synthetic import base_row, pyramid, write_run
 
 import repose
 from repose.analysis import GROUPS
-from repose.not_drawn import NotDrawn
-from repose.pictures import PICTURES
+from repose.errors import NotDrawn
+from repose.pictures.run import RUN_PICTURES
 
-OTHERWISE = {
-    "voronoi": ("voronoi", "no heap"),
-    "fields": ("stress", "no heap"),
-    "forces": ("force_distribution", "no contact carries a force that counts"),
-    "chains": ("chains", "no contact carries a force that counts"),
-    "motion": ("avalanches", "no track: output.track = 0"),
-}  # by group the picture that needs it and why it is left out
+PICTURE_OF = {
+    "voronoi": ("voronoi", "there is no heap"),
+    "fields": ("stress", "there is no heap"),
+    "forces": ("force_distribution", "no contact force exceeds analysis.force_threshold"),
+    "chains": ("chains", "no contact force exceeds analysis.force_threshold"),
+    "motion": ("avalanches", "the run recorded no track .output.track = 0."),
+}  # by group: the picture that needs it, and the reason why it is not drawn without
 
 
 @pytest.fixture
@@ -51,28 +51,28 @@ def test_without_analysis(folder):
     run = repose.open(folder)
     assert run.analysis is None and run.surface is None
     for picture in ("chains", "force_distribution", "voronoi", "stress", "avalanches"):
-        with pytest.raises(NotDrawn, match="no analysis.h5 of the last state .repose analyse DIR writes it."):
-            PICTURES[picture](run, run.state)
+        with pytest.raises(NotDrawn, match="the last state has no analysis.h5 .repose analyse DIR writes it."):
+            RUN_PICTURES[picture](run, run.state)
     for picture in ("heap", "density", "forces", "base", "energy"):
-        assert PICTURES[picture](run, run.state)
+        assert RUN_PICTURES[picture](run, run.state)
 
 
-@pytest.mark.parametrize("group", OTHERWISE)
-def test_group_that_is_absent(folder, group):
+@pytest.mark.parametrize("group", PICTURE_OF)
+def test_absent_group(folder, group):
     change(folder, lambda file: file.pop(group))
     run = repose.open(folder)
     assert run.analysis[group] is None
-    picture, reason = OTHERWISE[group]
+    picture, reason = PICTURE_OF[group]
     with pytest.raises(NotDrawn, match=reason):
-        PICTURES[picture](run, run.state)
+        RUN_PICTURES[picture](run, run.state)
 
 
-def test_analysis_does_not_belong_to_a_frame(folder):
+def test_a_frame_has_no_analysis(folder):
     run = repose.open(folder)
-    for picture, _ in OTHERWISE.values():
-        with pytest.raises(NotDrawn, match="not to a frame"):
-            PICTURES[picture](run, run.frame(0))
-    assert not PICTURES["heap"](run, run.frame(0)).legends  # no flanks
+    for picture, _ in PICTURE_OF.values():
+        with pytest.raises(NotDrawn, match="not a frame"):
+            RUN_PICTURES[picture](run, run.frame(0))
+    assert not RUN_PICTURES["heap"](run, run.frame(0)).legends  # no flanks
 
 
 def test_analysis_of_an_earlier_state_is_none(folder):
@@ -91,14 +91,14 @@ def test_analysis_of_other_contacts_is_none(folder):
 
 DAMAGES = {
     "another format": (lambda file: file.attrs.modify("format", np.bytes_(b"repose-run")), "not an analysis of Repose"),
-    "another version": (lambda file: file.attrs.modify("format_version", 2), "format_version 2; this reads 1"),
-    "no time": (lambda file: file.attrs.pop("time"), "not as the format says: no attribute time"),
-    "no area": (lambda file: file.pop("voronoi/area"), "not as the format says: no dataset /voronoi/area"),
+    "another version": (lambda file: file.attrs.modify("format_version", 2), "format_version 2; this package reads 1"),
+    "no time": (lambda file: file.attrs.pop("time"), "does not follow the format: no attribute time"),
+    "no area": (lambda file: file.pop("voronoi/area"), "does not follow the format: no dataset /voronoi/area"),
 }
 
 
 @pytest.mark.parametrize("kind", DAMAGES)
-def test_damage_is_named_in_one_line(folder, kind):
+def test_damage_is_reported_in_one_line(folder, kind):
     damage, complaint = DAMAGES[kind]
     change(folder, damage)
     with pytest.raises(repose.RunFolderError, match=f"analysis.h5: {complaint}") as caught:
@@ -106,7 +106,7 @@ def test_damage_is_named_in_one_line(folder, kind):
     assert "\n" not in str(caught.value)
 
 
-def test_file_that_is_no_hdf5(folder):
+def test_file_that_is_not_hdf5(folder):
     (folder / "analysis.h5").write_text("no HDF5")
     with pytest.raises(repose.RunFolderError, match="analysis.h5: cannot be read"):
         repose.open(folder)

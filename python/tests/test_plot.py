@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command line draws what a run has to show, says what it leaves out, and complains in one line."""
+"""`repose.plot` draws every picture that a run has data for, gives a reason for the others, and reports errors in one line."""
 
 import os
 import subprocess
@@ -15,22 +15,24 @@ from matplotlib.image import imread
 from synthetic import base_row, pyramid, write_run
 
 import repose
-from repose.pictures import PICTURES, heap
+from repose.pictures.run import RUN_PICTURES, heap
 from repose.plot import main
 
 BED = np.concatenate([base_row(10, 0.5) + [0.5 * row, row * np.sqrt(3.0) / 2.0] for row in range(1, 6)])
 FLYING = np.column_stack([np.linspace(-3.0, 3.0, 6), np.linspace(60.0, 90.0, 6)])
-NOBODY = np.empty((0, 2))
+NO_GRAINS = np.empty((0, 2))
 
-NO_FORCE = "no contact carries a force that counts"
-NO_TRACK = "no track: output.track = 0"
+NO_FORCE = "no contact force exceeds analysis.force_threshold"
+NO_TRACK = "the run recorded no track (output.track = 0)"
+NO_ROW = "the base is not a row of grains"
+FEW_ROWS = "the time series has fewer than two rows"
 NO_CONTACTS = {
     "density": "no contacts",
     "forces": "no contact carries a force",
     "chains": NO_FORCE,
     "force_distribution": NO_FORCE,
-    "voronoi": "no heap",
-    "stress": "no heap",
+    "voronoi": "there is no heap",
+    "stress": "there is no heap",
 }
 
 RUNS = {
@@ -41,47 +43,46 @@ RUNS = {
     "failed": dict(moving=pyramid(8), base=base_row(8), status="failed"),
     "weightless": dict(moving=pyramid(8), base=base_row(8), grain_weight=0.0),
     "no_base": dict(moving=pyramid(8), surface=False),
-    "plane": dict(moving=pyramid(8) - [0.0, np.sqrt(3.0) / 2.0 - 0.5], plane=True),
+    "floor": dict(moving=pyramid(8) - [0.0, np.sqrt(3.0) / 2.0 - 0.5], floor=True),
     "periodic": dict(moving=BED, base=base_row(10), period=20.0, surface=False),
     "one_grain": dict(moving=np.array([[0.0, 5.0]]), surface=False, rows=1),
     "column": dict(moving=np.column_stack([np.zeros(60), np.arange(1, 61)]), base=base_row(3), surface=False),
-    "empty": dict(moving=NOBODY, base=base_row(10), surface=False),
-    "nothing": dict(moving=NOBODY, surface=False, rows=0),
+    "empty": dict(moving=NO_GRAINS, base=base_row(10), surface=False),
+    "nothing": dict(moving=NO_GRAINS, surface=False, rows=0),
     "no_track": dict(moving=pyramid(8), base=base_row(8), track=False),
 }
-LEFT_OUT = {
+NOT_DRAWN = {
     "all_flying": NO_CONTACTS,
-    "no_base": {"base": "no row of base grains"},
-    "plane": {"base": "no row of base grains"},
+    "no_base": {"base": NO_ROW},
+    "floor": {"base": NO_ROW},
     "one_grain": {
         **NO_CONTACTS,
-        "base": "no row of base grains",
-        "energy": "fewer than two rows in the time series",
+        "base": NO_ROW,
+        "energy": FEW_ROWS,
     },
     "empty": {**NO_CONTACTS, "base": "nothing rests on the base", "avalanches": NO_TRACK, "energy": "nothing moved"},
     "nothing": {
         **NO_CONTACTS,
         "heap": "no grains",
-        "base": "no row of base grains",
+        "base": NO_ROW,
         "avalanches": NO_TRACK,
-        "energy": "fewer than two rows in the time series",
+        "energy": FEW_ROWS,
     },
     "no_track": {"avalanches": NO_TRACK},
 }
-WITHOUT_WALLS = {
-    "budget": "no account of the energy (output.energy)",
-    "walls": "no walls, or fewer than two rows in the time series",
+NO_WALLS = {
+    "budget": "the run kept no energy budget (output.energy)",
+    "walls": "the run has no walls, or fewer than two rows in its time series",
 }
 NO_PACKING = dict.fromkeys(
     ("packing", "directions", "correlations", "surface"), "no packing was measured (analysis.packing)"
 )
 
-NO_THEORY = {"theory": "no theory was laid on it (repose plot DIR --theory MODEL)"}
-NO_BASE = {"theory": "no row of base grains"}
+NO_THEORY = {"theory": "no model was compared with it (repose plot DIR --theory MODEL)"}
 
 
 def assert_shows_something(path):
-    """A picture with ink, but not full of it, and more than two colours."""
+    """The picture has ink but is not full of it, and has more than two colours."""
     pixels = imread(path)[..., :3]
     ink = (pixels < 0.95).any(axis=-1).mean()
     assert 0.005 < ink < 0.8, f"{path.name}: {100 * ink:.1f} % of the pixels are not white"
@@ -90,17 +91,17 @@ def assert_shows_something(path):
 
 @pytest.mark.filterwarnings("error")
 @pytest.mark.parametrize("kind", RUNS)
-def test_draws_what_there_is(tmp_path, capsys, kind):
+def test_draws_every_picture_with_data(tmp_path, capsys, kind):
     folder = write_run(tmp_path / "run", **RUNS[kind])
     assert main([str(folder), "--dpi", "60"]) == 0
     printed = capsys.readouterr()
     assert printed.err == ""
-    left_out = LEFT_OUT.get(kind, {}) | NO_PACKING | ({} if kind == "plane" else WITHOUT_WALLS)
-    left_out |= NO_BASE if left_out.get("base") == NO_BASE["theory"] else NO_THEORY
+    not_drawn = NOT_DRAWN.get(kind, {}) | NO_PACKING | ({} if kind == "floor" else NO_WALLS)
+    not_drawn |= {"theory": "the run has no base profile"} if not_drawn.get("base") == NO_ROW else NO_THEORY
     expected = []
-    for name in PICTURES:
-        if name in left_out:
-            expected.append(f"{name}: not drawn: {left_out[name]}")
+    for name in RUN_PICTURES:
+        if name in not_drawn:
+            expected.append(f"{name}: not drawn: {not_drawn[name]}")
         else:
             expected += [str(folder / "pictures" / f"{name}.{suffix}") for suffix in ("png", "svg")]
     assert printed.out.splitlines() == expected
@@ -114,7 +115,7 @@ def test_draws_what_there_is(tmp_path, capsys, kind):
 
 
 def test_angle_of_a_flank_is_in_the_legend(tmp_path):
-    """The slope is the square root of 3 on the left, and not defined on the right."""
+    """The slope is the square root of 3 on the left and undefined on the right."""
     run = repose.open(write_run(tmp_path / "run", **RUNS["heap"]))
     legends = [text.get_text() for text in heap.draw(run, run.state).legends[0].get_texts()]
     assert legends == ["left flank 60.0°"]
@@ -124,7 +125,7 @@ def test_frame_and_choice(tmp_path, capsys):
     folder = write_run(tmp_path / "run", **RUNS["heap"])
     assert main([str(folder), "--only", "heap,energy", "--format", "png", "--frame", "0", "--dpi", "50"]) == 0
     assert [path.name for path in (folder / "pictures").iterdir()] == ["heap-000000.png"]
-    assert "energy: not drawn: belongs to the whole run" in capsys.readouterr().out
+    assert "energy: not drawn: it shows the whole run, not a frame" in capsys.readouterr().out
 
 
 def test_same_run_same_files(tmp_path):
@@ -136,18 +137,18 @@ def test_same_run_same_files(tmp_path):
     assert contents[0] == contents[1]
 
 
-def test_places_that_are_not_numbers_are_survived(tmp_path):
+def test_draws_runs_with_positions_and_forces_that_are_nan(tmp_path):
     folder = write_run(tmp_path / "run", **RUNS["failed"])
     with h5py.File(folder / "run.h5", "a") as file:
         file["grains/position"][-1] = np.nan
         file["contacts/normal_force"][:3] = np.nan
     assert main([str(folder), "--dpi", "50", "--format", "png"]) == 0
-    assert len(list((folder / "pictures").iterdir())) == len(PICTURES) - len(WITHOUT_WALLS | NO_PACKING | NO_THEORY)
+    assert len(list((folder / "pictures").iterdir())) == len(RUN_PICTURES) - len(NO_WALLS | NO_PACKING | NO_THEORY)
 
 
 def test_many_grains_become_pixels_in_svg(tmp_path, monkeypatch):
     folder = write_run(tmp_path / "run", **RUNS["heap"])
-    monkeypatch.setattr("repose.field.MOST_VECTORS", 50)
+    monkeypatch.setattr("repose.pictures.run.grain_panel.MOST_VECTOR_GRAINS", 50)
     assert main([str(folder), "--only", "heap", "--format", "svg"]) == 0
     assert "<image" in (folder / "pictures" / "heap.svg").read_text()
 
@@ -155,8 +156,8 @@ def test_many_grains_become_pixels_in_svg(tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     "arguments, complaint",
     [
-        (["--only", "heap,foo"], f"unknown name 'foo', choose from {', '.join(PICTURES)}"),
-        (["--only", "profiles"], f"unknown name 'profiles', choose from {', '.join(PICTURES)}"),
+        (["--only", "heap,foo"], f"unknown name 'foo', choose from {', '.join(RUN_PICTURES)}"),
+        (["--only", "profiles"], f"unknown name 'profiles', choose from {', '.join(RUN_PICTURES)}"),
         (["--format", "pdf"], "unknown name 'pdf', choose from png, svg"),
         (["--dpi", "many"], "'many' is not a whole number"),
         (["--frame", "last"], "'last' is not the number of a frame"),
@@ -166,22 +167,22 @@ def test_many_grains_become_pixels_in_svg(tmp_path, monkeypatch):
 )
 def test_wrong_options_are_one_line(tmp_path, capsys, arguments, complaint):
     folder = write_run(tmp_path / "run", **RUNS["heap"])
-    assert_complains(capsys, [str(folder), *arguments], complaint)
+    assert_reports(capsys, [str(folder), *arguments], complaint)
     assert not (folder / "pictures").exists()
 
 
 def test_no_folder_and_no_run_are_one_line(tmp_path, capsys):
-    assert_complains(capsys, [str(tmp_path / "nowhere")], "no such folder")
-    assert_complains(capsys, [str(tmp_path)], "no run.h5 or sweep.h5 in this folder")
+    assert_reports(capsys, [str(tmp_path / "nowhere")], "no such folder")
+    assert_reports(capsys, [str(tmp_path)], "no run.h5 or sweep.h5 in this folder")
 
 
 def test_pictures_that_cannot_be_written_are_one_line(tmp_path, capsys):
     folder = write_run(tmp_path / "run", **RUNS["heap"])
     (folder / "pictures").write_text("a file in the way")
-    assert_complains(capsys, [str(folder)], "pictures: cannot be written")
+    assert_reports(capsys, [str(folder)], "pictures: cannot be written")
 
 
-def assert_complains(capsys, arguments, complaint):
+def assert_reports(capsys, arguments, complaint):
     try:
         status = main(arguments)
     except SystemExit as ended:

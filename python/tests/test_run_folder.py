@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The reader gives what was written, and one line about what it cannot read."""
+"""Reading run folders: their data, and one line about damage."""
 
 import h5py
 import numpy as np
@@ -32,7 +32,7 @@ def test_reads_what_was_written(folder):
     assert run.summary["base_dip"]["index"] == 1.04
 
 
-def test_partners_are_found_although_ids_have_gaps(folder):
+def test_grains_of_contacts_are_found_by_ids_with_gaps(folder):
     state = repose.open(folder).state
     assert state.grains.id[-1] > len(state.grains)
     first, second = state.rows(state.contacts.grains).T
@@ -43,7 +43,7 @@ def test_partners_are_found_although_ids_have_gaps(folder):
 
 
 @pytest.mark.parametrize("missing", [6, 10**6, -3])
-def test_partner_that_is_not_there_is_an_error(folder, missing):
+def test_contact_with_a_missing_grain_is_an_error(folder, missing):
     state = repose.open(folder).state
     assert missing not in state.grains.id
     with pytest.raises(repose.RunFolderError, match="not in the file"):
@@ -60,7 +60,7 @@ def test_frames(folder):
         run.frame("7")
 
 
-def test_frame_whose_file_is_gone(folder):
+def test_frame_with_a_missing_file(folder):
     (folder / "frames" / "000000.h5").unlink()
     with pytest.raises(repose.RunFolderError, match="no 000000.h5"):
         repose.open(folder).frame(0)
@@ -119,7 +119,7 @@ DAMAGES = {
     cut_short: "cannot be read",
     remove_radius: "radius",
     change_format: "not a run of Repose",
-    change_version: "format_version 1; this reads 3",
+    change_version: "format_version 1; this package reads 3",
     remove_units: "no attribute units",
     remove_format: "not a run of Repose",
     break_summary: "summary.json: cannot be read",
@@ -127,7 +127,7 @@ DAMAGES = {
 
 
 @pytest.mark.parametrize("damage", DAMAGES, ids=lambda damage: damage.__name__)
-def test_damage_is_named_in_one_line(folder, damage):
+def test_damage_is_reported_in_one_line(folder, damage):
     damage(folder)
     with pytest.raises(repose.RunFolderError, match=DAMAGES[damage]) as caught:
         repose.open(folder)

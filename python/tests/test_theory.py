@@ -1,14 +1,17 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Python side of theory: names, units, errors, and the examples of its documentation."""
+"""Stress models in Python: names, units, errors, the examples of the documentation, and their pictures."""
 
 import doctest
+import os
+import subprocess
+import sys
 
 import numpy as np
 import pytest
 
-from repose import theory
-from repose.theory_pictures import PICTURES
+from repose import draw_theory, theory
+from repose.pictures.models import MODEL_PICTURES
 
 
 def test_examples_of_the_documentation():
@@ -38,4 +41,36 @@ def test_errors_are_value_errors():
 
 
 def test_every_model_has_a_picture():
-    assert set(PICTURES) == set(theory.models())
+    assert set(MODEL_PICTURES) == set(theory.models())
+
+
+@pytest.mark.parametrize("module", ["repose", "repose.theory"])
+def test_reading_and_predicting_need_no_matplotlib(module):
+    code = f"import sys, {module}; sys.exit('matplotlib' in sys.modules)"
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+    assert subprocess.run([sys.executable, "-c", code], env=environment, check=False).returncode == 0
+
+
+def test_draws_a_model_into_a_file(tmp_path, capsys):
+    picture = tmp_path / "pile.png"
+    assert draw_theory.main(["pile-continuum", "--set", "slope_deg=20", "--plot", str(picture), "--dpi", "50"]) == 0
+    assert picture.read_bytes().startswith(b"\x89PNG") and [picture] == list(tmp_path.iterdir())
+    assert capsys.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize(
+    "words, message",
+    [
+        (["pyramid"], "pyramid: no such model of theory; must be "),
+        (["pile-continuum", "--set", "slope_deg=70"], "pile-continuum: slope_deg = 70: must be > 0 and < 60"),
+    ],
+)
+def test_wrong_models_and_parameters_are_reported(tmp_path, capsys, words, message):
+    assert draw_theory.main([*words, "--plot", str(tmp_path / "x.png")]) == 2
+    printed = capsys.readouterr()
+    assert printed.err.startswith(message) and printed.out == "" and not list(tmp_path.iterdir())
+
+
+def test_a_picture_that_cannot_be_written_is_reported(tmp_path, capsys):
+    assert draw_theory.main(["pile-continuum", "--plot", str(tmp_path / "nowhere" / "x.png")]) == 2
+    assert capsys.readouterr().err.endswith(": cannot be written: No such file or directory\n")

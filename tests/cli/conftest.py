@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Helpers for tests of the program from outside: scene text in, exit code, messages and files out."""
+"""Helpers for tests of the program from outside: they run scenes and read exit codes, messages and files."""
 
 import json
 import os
@@ -16,7 +16,7 @@ import xxhash
 
 PROGRAM = os.environ.get("REPOSE_PROGRAM", "")
 
-# 40 grains poured from a height of 10 onto a narrow row: at rest after about a tenth of a second of computing.
+# 40 grains poured from a height of 10 onto a narrow row. They rest after about a tenth of a second of computing.
 HEAP = """[base]
 kind = "row"
 half_width = 8
@@ -33,7 +33,7 @@ time = 500
 
 
 def repose(*args, cwd=None, timeout=30, before=""):
-    """Runs the program; `before` is shell text that goes before it, such as a limit on the size of files."""
+    """Runs the program. `before` is shell text that precedes it, such as a limit on the size of files."""
     command = [PROGRAM, *map(str, args)]
     if before:
         command = ["bash", "-c", before + '; exec "$@"', "bash", *command]
@@ -45,7 +45,7 @@ def everything_in(folder):
 
 
 def datasets(path):
-    """Every dataset below the root of an HDF5 file, through external links too."""
+    """Every dataset below the root of an HDF5 file, also behind external links."""
     found = {}
 
     def collect(group, prefix):
@@ -63,7 +63,7 @@ def datasets(path):
 
 @contextmanager
 def changed(path):
-    """An HDF5 file of Repose to be changed by hand, and sealed again as if Repose had written it so."""
+    """Opens an HDF5 file of Repose for a change by hand, and seals it again afterwards."""
     with h5py.File(path, "r+") as file:
         yield file
     content = path.read_bytes()
@@ -96,7 +96,7 @@ def number_in(text, pattern):
 
 
 class Laboratory:
-    """A folder of its own for one test."""
+    """A folder for one test."""
 
     def __init__(self, path):
         self.path = path
@@ -109,13 +109,13 @@ class Laboratory:
         return repose(*args, cwd=self.path, **options)
 
     def run(self, text, *options, out="out", expect=0, **more):
-        """Runs a scene into the folder `out`; the exit code must be as expected."""
+        """Runs a scene into the folder `out` and checks the exit code."""
         result = self("run", self.scene(text), "--out", out, "--quiet", *options, **more)
         assert result.returncode == expect, result.stderr + result.stdout
         return self.path / out
 
     def refused(self, *args, parts=(), **options):
-        """The program must say exit code 2, every part on standard error, and leave the folder as it was."""
+        """Checks that the program exits with 2, prints every part on standard error, and does not change the folder."""
         before = everything_in(self.path)
         result = self(*args, **options)
         assert result.returncode == 2, f"exit {result.returncode}: {result.stderr}{result.stdout}"
@@ -127,7 +127,7 @@ class Laboratory:
 
 
 class Grains:
-    """The grains of a run, in order of id."""
+    """The grains of a run, by ascending id."""
 
     def __init__(self, path):
         with h5py.File(path, "r") as file:
@@ -146,7 +146,7 @@ def lab(tmp_path):
 
 @pytest.fixture(scope="session")
 def heap(tmp_path_factory):
-    """One poured heap at rest, with frames; tests only read it."""
+    """A poured heap at rest, with frames. Tests only read it."""
     lab = Laboratory(tmp_path_factory.mktemp("heap"))
     return lab.run(HEAP + "[output]\nframes = 10\n", "--threads", "1")
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the analysis says of a run, against the run's own data, and `repose analyse`, which must not change the run."""
+"""The results of the analysis against the data of the run, and `repose analyse`, which must not change the run."""
 
 import json
 import shutil
@@ -19,7 +19,7 @@ TRACKED = HEAP.replace("count = 40", "count = 120") + "[output]\ntrack = 1\nfram
 
 @pytest.fixture(scope="module")
 def tracked(tmp_path_factory):
-    """A heap of 120 grains with a track, at rest; tests copy it before they change anything."""
+    """A heap of 120 grains with a track, at rest. Tests copy it before they change anything."""
     folder = tmp_path_factory.mktemp("tracked")
     (folder / "scene.toml").write_text(TRACKED)
     subprocess.run([PROGRAM, "run", "scene.toml", "--out", "out", "--quiet"], cwd=folder, check=True, timeout=60)
@@ -37,7 +37,7 @@ def untimed(path):
     return {key: value for key, value in numbers.items() if "second" not in key and key != "checksum"}
 
 
-def test_analyse_makes_the_same_files_and_leaves_the_run_alone(lab, tracked):
+def test_analyse_writes_the_same_files_and_does_not_change_the_run(lab, tracked):
     shutil.copytree(tracked, lab.path / "out")
     run_files = ["run.h5", "scene.toml", *(f"track/{p.name}" for p in (tracked / "track").iterdir())]
     before = {name: (lab.path / "out" / name).read_bytes() for name in run_files}
@@ -108,7 +108,7 @@ def test_voronoi_cells(analysis):
         x, y = vertices[offset[k] : offset[k + 1]].T
         assert 0.5 * np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) == pytest.approx(area, rel=1e-9)
     closed = cells["closed"][()] == 1
-    # Discs of the soft law overlap by some per cent: denser than hard ones can be (0.907), but not by much more.
+    # Soft discs overlap by some per cent, so they may be denser than hard discs (0.907), but not by more than that.
     assert closed.sum() > 30 and (cells["solid_fraction"][()][closed] < 1.1).all()
 
 
@@ -118,7 +118,7 @@ def test_fields_integrate_to_the_weight_and_the_support(analysis, tracked):
     grains = summary(tracked)["grains"]
     assert fields["density"][()].sum() * area == pytest.approx(grains, rel=1e-12)
     assert abs(summary(tracked)["field_weight_error"]) < 1e-12
-    # At rest the supports carry the weight (force residual 1e-6).
+    # At rest the supports carry the weight, to the force residual of 1e-6.
     assert fields["support_y"][()].sum() * area == pytest.approx(grains, rel=1e-5)
     assert fields["density"].shape == (len(fields["y"]), len(fields["x"]))
 
@@ -140,7 +140,7 @@ def test_force_distribution_and_chains(analysis, tracked):
 
 
 def test_avalanches_from_the_track(analysis, tracked):
-    """The number that moved, worked out once more from the track."""
+    """The number of grains that moved, computed again from the track."""
     moments = []
     for name in analysis["track"]:
         segment = analysis[f"track/{name}"]
@@ -167,8 +167,9 @@ def test_without_a_track_there_are_no_avalanches(heap):
 
 
 def test_a_lattice_pile_keeps_its_core_and_sheds_its_flanks(lab):
-    """Baxter et al. (1997), section III: 60-degree piles partly collapse into buttresses that hold the rest. The core: the
-    lowest 30 % of the height, +- 20 % of the base; the flank: the outer two diameters. Kept: all neighbours still near."""
+    """Baxter et al. (1997), section III: 60-degree piles partly collapse into buttresses that support the rest. The core is
+    the lowest 30 % of the height within +- 20 % of the base, the flank the outer two diameters. A grain is kept if all its
+    neighbours are still near."""
     rows, rise = 40, np.sqrt(3) / 2
     example = Path(__file__).resolve().parents[2] / "examples/pyramid-60.toml"
     result = lab("run", str(example), "--out", "out", "--quiet", "--set", "output.frames=0", timeout=200)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Wrong scenes and wrong command lines: exit code 2, a message that helps, nothing written."""
+"""Wrong scenes and wrong command lines: exit code 2, a helpful message, and no file written."""
 
 import re
 
@@ -11,7 +11,7 @@ GRAIN = "[[grain]]\nposition = [0.0, 1.0]\n"
 STOP = "[stop]\ntime = 1\n"
 
 
-# text, and what the message must say
+# the text, and parts that the message must contain
 LATTICE = "[base]\nkind = 'row'\nhalf_width = 20\n[source]\nkind = 'lattice'\nrows = 5\n"
 
 WRONG_SCENES = {
@@ -103,7 +103,7 @@ def test_one_problem_gives_one_line(lab, name):
     assert len(said.strip().splitlines()) == 1, said
 
 
-def test_unstable_step_and_the_largest_that_is_not(lab):
+def test_an_unstable_step_is_refused_with_the_largest_stable_one(lab):
     lab.scene(HEAP)
     options = ["--set", "method.time_step=0.1", "--set", "stop.time=0.5", "--out", "out"]
     said = lab.refused("run", "scene.toml", *options, parts=["--set method.time_step=0.1: method.time_step = 0.1: unstable"])
@@ -136,7 +136,7 @@ def test_unstable_step_in_the_file_has_its_line(lab):
     lab.refused("run", "scene.toml", parts=["scene.toml:2: method.time_step = 0.1: unstable"])
 
 
-def test_scene_file_missing_folder_or_rubbish(lab):
+def test_scene_file_that_is_missing_a_folder_or_not_text(lab):
     lab.refused("run", "absent.toml", parts=["absent.toml: cannot read: No such file or directory"])
     (lab.path / "folder").mkdir()
     lab.refused("run", "folder", parts=["folder: cannot read: is a folder"])
@@ -213,7 +213,7 @@ time = 1
     assert len(said.strip().splitlines()) == 6, said
 
 
-# --- numbers far outside of anything sensible: refused, or run as they say
+# --- numbers far outside any sensible range: they are refused, or run correctly
 
 @pytest.mark.parametrize("setting", ["base.half_width=1e12", "base.spacing=1e-10"])
 def test_a_base_of_too_many_grains_is_refused(lab, setting):
@@ -223,8 +223,8 @@ def test_a_base_of_too_many_grains_is_refused(lab, setting):
 
 @pytest.mark.parametrize("key", ["output.series", "output.frames", "output.window", "stop.time"])
 @pytest.mark.parametrize("value", ["1e18", "1e99"])
-def test_never_is_not_at_once(lab, key, value):
-    """A time as good as never must not overflow into the first step."""
+def test_a_very_late_time_is_never_reached(lab, key, value):
+    """A very late time must not overflow into the first step."""
     lab.scene(HEAP.replace("time = 500", "time = 80"))
     result = lab("run", "scene.toml", "--set", f"{key}={value}", "--out", "out", "--quiet")
     if result.returncode == 2:
@@ -237,7 +237,7 @@ def test_never_is_not_at_once(lab, key, value):
     assert key != "output.frames" or not frames.exists() or not list(frames.iterdir())
 
 
-def test_a_rate_as_good_as_never_releases_one_grain(lab):
+def test_a_very_low_rate_releases_one_grain(lab):
     lab.scene(HEAP.replace("time = 500", "time = 20"))
     result = lab("run", "scene.toml", "--set", "source.rate=1e-99", "--out", "out", "--quiet")
     assert result.returncode == 2 or summary(lab.path / "out")["grains_released"] == 1

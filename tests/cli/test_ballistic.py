@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ballistic deposition without restructuring in the limit of wide beds. Half a minute: for ./dev validate."""
+"""Ballistic deposition without restructuring, in the limit of wide beds. Half a minute; run by ./dev validate."""
 
 import os
 
@@ -23,11 +23,12 @@ slab = [0.4, 1.6]
 """
 
 
-# The surface is rough to a height of some W^(3/2) (growth as in Kardar, Parisi and Zhang 1986); from there on the solid
-# fraction differs from that of a wide bed by a term in 1/W. Beds of 30 W^(3/2), the slab well above the rough beginning.
-# 0.3568 +- 0.0001 by Meakin and Jullien, 0.3566 +- 0.0003 by an independent code; bounds at 0.001, three standard errors of
-# the fit. Coordination 2: one contact to what was there, one from what comes. Anisotropy and direction: 0.742 +- 0.001 and
-# 30.3 deg, not the 2/3 and 31.7 deg of a disc without neighbours.
+# The roughness grows up to a height of about W^(3/2) (Kardar, Parisi and Zhang 1986). Above it the solid fraction differs
+# from that of a wide bed by a term in 1/W. The beds have the height 30 W^(3/2), and the slab lies well above the rough
+# beginning. Meakin and Jullien give 0.3568 +- 0.0001, an independent code 0.3566 +- 0.0003; the bound of 0.001 is three
+# standard errors of the fit. The coordination is 2: each disc touches one earlier disc and, on average, is touched by one
+# later disc. Anisotropy and direction are 0.742 +- 0.001 and 30.3 deg, not the 2/3 and 31.7 deg of a disc without
+# neighbours.
 def test_wide_beds(lab):
     rows = []
     for width, seeds in ((16, 24), (32, 12), (64, 8), (128, 4)):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Outflow from a flat silo against Beverloo's law in 2D, W = C (D - k d)^(3/2). Minutes: for ./dev validate."""
+"""Outflow from a flat silo against Beverloo's law in 2D, W = C (D - k d)^(3/2). Takes minutes; run by ./dev validate."""
 
 import os
 
@@ -49,8 +49,8 @@ frames = 0
 
 @pytest.mark.skipif("REPOSE_SLOW" not in os.environ, reason="takes minutes: ./dev validate")
 def test_beverloo(lab):
-    """W^(2/3) goes linearly with the opening: to 4 % of W, with k between 1 and 3 diameters, and the exponent between the
-    smallest and the widest opening is 3/2 within 0.15 for the k of the line. One seed an opening; W over 1200 grains."""
+    """W^(2/3) is linear in the opening, to 4 % of W, with k between 1 and 3 diameters. With that k, the exponent between
+    the smallest and the widest opening is 3/2 within 0.15. One seed per opening; W is measured over 1200 grains."""
     openings = np.array([8.0, 10.0, 12.0, 16.0])
     rates = []
     for opening in openings:

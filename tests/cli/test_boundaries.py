@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Walls, gates, pistons, ends and loads, from scene files. Units: grain diameter, grain mass, gravity."""
+"""Walls, gates, pistons, open ends and loads from scene files. Units: grain diameter, grain mass, gravity."""
 
 import math
 from pathlib import Path
@@ -25,14 +25,15 @@ def wall_names(out):
         return [name.decode() if isinstance(name, bytes) else name for name in file["walls/name"][()]]
 
 
-# A disc that rolls: 2/3 g sin(20 deg) from rest, so 1/3 g sin t^2 after t; the step adds a part in 3000.
+# A disc rolls from rest with the acceleration 2/3 g sin(20 deg), so by 1/3 g sin t^2 after t; the step adds a part in 3000.
 def test_incline(lab):
     grains = Grains(example(lab, "incline") / "run.h5")
     way = np.hypot(*(grains.position[0] - [60.0, 22.3695]))
     assert way == pytest.approx(math.sin(math.radians(20)) / 3 * 15.0**2, rel=1e-3)
 
 
-# V = 3 mu g t ends the slip, v = V / 3 (see the unit test); half of the belt's work is friction, half is motion.
+# Slip ends at V = 3 mu g t with v = V / 3 (see the unit test). Friction dissipates half of the work of the belt; the other
+# half is kinetic energy.
 def test_belt(lab):
     out = example(lab, "belt")
     assert Grains(out / "run.h5").velocity[0, 0] == pytest.approx(1.0, abs=2e-3)
@@ -43,7 +44,7 @@ def test_belt(lab):
     assert abs(energy["error"]) < 1e-6
 
 
-# At rest the piston carries its force, the side walls balance, and floor and sides carry weight and piston.
+# At rest the piston carries its force, the side walls balance, and floor and sides carry the weight and the piston force.
 def test_piston(lab):
     out = example(lab, "piston")
     found = datasets(out / "run.h5")
@@ -59,8 +60,8 @@ def test_piston(lab):
     assert (way[found["/series/time"] <= 60.0, 3] == 0.0).all() and 40.0 < way[-1, 3] < 55.0
 
 
-# The account closes to second order in the step (docs/physics/soft.md): with half the step a quarter of the error is
-# left. Impacts differ in detail between the two runs: between an eighth and a half.
+# The energy budget closes to second order in the step (docs/physics/soft.md): half the step leaves a quarter of the error.
+# Impacts differ in detail between the two runs, so the test accepts between an eighth and a half.
 def test_energy_closes_to_second_order(lab):
     error = []
     for k, step in enumerate((0.0016, 0.0008)):
@@ -75,8 +76,8 @@ def test_energy_closes_to_second_order(lab):
     assert 0.125 < error[1] / error[0] < 0.5
 
 
-# The account changes no bit of the run.
-def test_account_of_the_energy_is_an_onlooker(lab):
+# The energy budget changes no bit of the run.
+def test_the_energy_budget_does_not_change_the_run(lab):
     short = ("--set", "stop.time=30")
     with_account, without = (
         datasets(example(lab, "piston", "--set", f"output.energy={flag}", *short, out=flag) / "run.h5")
@@ -90,7 +91,7 @@ def test_account_of_the_energy_is_an_onlooker(lab):
         assert name == "/scene" or values.tobytes() == with_account[name].tobytes(), name
 
 
-# Nothing falls before the gate opens, everything after.
+# No grain falls before the gate opens, and all fall after.
 def test_hopper(lab):
     out = example(lab, "hopper", "--set", "source.count=400", "--set", "stop.time=150")
     found = datasets(out / "run.h5")
@@ -98,14 +99,14 @@ def test_hopper(lab):
     assert (lost[time <= 92.0] == 0).all()
     assert lost[-1] == 400 and summary(out)["grains_lost"] == 400
     assert (np.diff(lost) >= 0).all()
-    # The gate carries until it opens, and nothing from then on.
+    # The gate carries the grains until it opens, and nothing afterwards.
     gate = wall_names(out).index("gate")
     before, after = (time > 80.0) & (time <= 90.0), time > 91.0
     assert (found["/series/wall_force_y"][before, gate] < -10.0).all()
     assert (found["/series/wall_force_y"][after, gate] == 0.0).all()
 
 
-# What the base carries is the weight and the load.
+# The base carries the weight and the load.
 def test_point_load(lab):
     small = ("--set", "source.count=200", "--set", "stop.time=150", "--set", "output.window=10")
     out = example(lab, "point-load", *small)
@@ -122,7 +123,7 @@ def test_pushed_column_moves_with_its_spring(lab):
     found = datasets(out / "run.h5")
     way, time = found["/series/wall_displacement"][:, 2], found["/series/time"]
     late = time > 120.0
-    # The far end has gone 0.05 (t - 60); the spring between is as short as the push of the column asks for.
+    # The far end has moved by 0.05 (t - 60); the spring is compressed by the push of the column.
     lag = 0.05 * (time - 60.0) - way
     assert np.allclose(500.0 * lag[late], -found["/series/wall_force_y"][late, 2], rtol=0.2, atol=10.0)
     assert (-found["/series/wall_force_y"][late, 2] > 1.05 * Grains(out / "run.h5").mass.sum()).all()
@@ -167,7 +168,7 @@ WRONG = {
     "mass of a fixed wall": (MOVING + "mass = 1\n", "wall[0].mass: unknown key"),
     "upright plane in a periodic box": ("[box]\nx = 'periodic'\n[[plane]]\npoint = [0, 0]\nnormal = [1, 1]\n" + MOVING,
                                         "plane[0].normal = [1, 1]: a plane must be level in a periodic box"),
-    "name twice": (MOVING + "name = 'a'\n[[wall]]\nfrom = [0, 5]\nto = [1, 5]\nname = 'a'\n", "wall[1].name = \"a\": is taken"),
+    "name twice": (MOVING + "name = 'a'\n[[wall]]\nfrom = [0, 5]\nto = [1, 5]\nname = 'a'\n", "wall[1].name = \"a\": is used twice"),
     "load without force": (MOVING + "[[load]]\ngrain = 0\n", "load[0].force: missing"),
     "load of nothing": (MOVING + "[[load]]\nforce = [0, 0]\n", "load[0].force = [0, 0]: must have a direction"),
     "opening before the start": (MOVING + "opens_at = -1\n", "wall[0].opens_at = -1: must be >= 0"),

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Contact dynamics through the program: what packings must give, resuming, the solver's series, refused scenes."""
+"""Contact dynamics through the program: packings, resuming, the series of the solver, refused scenes."""
 
 import signal
 import subprocess
@@ -36,16 +36,16 @@ def places(folder):
         return file["grains/position"][:], file["grains/fixed"][:] != 0
 
 
-# Long after the last came to rest the base carries their weight (residuals of 1e-4 of either sign), and nothing overlaps
-# beyond 1e-3 of a radius and what a step may add.
-def test_grains_are_laid_down_one_by_one(lab):
+# Long after the last grain came to rest, the base carries the weight (residuals of 1e-4 with either sign), and no overlap
+# exceeds 1e-3 of a radius plus the amount that a step may add.
+def test_grains_are_deposited_one_by_one(lab):
     found = summary(lab.run((SEQUENTIAL % 40).replace("at_rest = 0.01\ntime = 2000", "time = 400")))
     assert found["status"] == "finished" and found["grains"] == 40
     assert found["max_overlap"] < 2e-3
     assert abs(found["weight_error"]) < 1e-3
     solver = found["solver"]
     assert solver["steps"] == found["steps"] and solver["tolerance"] == 1e-4
-    # The cap is for steps that cycle; in this small packing 1 % do, and none would be another solver.
+    # The limit on sweeps is for steps that cycle. In this small packing 1 % of the steps do; none would mean another solver.
     assert solver["unconverged"] <= 0.05 * solver["steps"]
 
 
@@ -59,13 +59,13 @@ def test_solver_has_series(lab):
     assert solver["unconverged"].sum() == found["unconverged"]
     assert solver["residual"].max() == found["worst_residual"] > 0
     assert (solver["sweeps"] >= 0).all() and solver["sweeps"].sum() > 0
-    # At rest the creep of a converged packing is below the rest that is asked for, 5e-3 g dt.
+    # At rest the creep of a converged packing is below the requested limit of 5e-3 g dt.
     assert 0 <= solver["creep_rate"][-1] < 5e-3 * 0.2237
 
 
-# At 90 degrees a critical-angle packing is in equilibrium: each branch hangs on its contact, whatever its torque.
-# The residual of 1e-8 g dt moves a contact by 5e-10 in a step; 112 steps, and branches of some ten discs that turn
-# about their roots, amplify that by 1e3 at most.
+# At 90 degrees a critical-angle packing is in equilibrium: each branch hangs on its contact, which carries any torque.
+# The residual of 1e-8 g dt moves a contact by 5e-10 in a step. 112 steps, and branches of some ten discs that turn about
+# their roots, amplify this by at most 1e3.
 def test_packing_of_sticking_discs_does_not_move(lab):
     deposition = """
 [method]
@@ -97,12 +97,12 @@ time = 25
     moved = last - first
     moved[:, 0] -= 16 * np.round(moved[:, 0] / 16)
     assert np.abs(moved[~fixed]).max() < 1e-4
-    # Where nothing resists rolling it comes down.
+    # Without rolling friction it collapses.
     rolling = summary(lab.run(held, "--set", "method.critical_angle=20", "--set", "method.tolerance=1e-4", out="rolling"))
     assert rolling["packing"]["solid_fraction"]["mean"] > 1.1 * summary(after)["packing"]["solid_fraction"]["mean"]
 
 
-# A block on a piston under a force: piston and load rise together with (F - W)/(M + m).
+# A block on a piston under a force: piston and load rise together with the acceleration (F - W)/(M + m).
 def test_piston_lifts_a_load(lab):
     folder = lab.run("""
 [method]
@@ -125,13 +125,13 @@ time = 2
 """)
     with h5py.File(folder / "run.h5") as file:
         way = file["series/wall_displacement"][-1]
-    # Leapfrog: exact at whole steps but for the first half step.
+    # Leapfrog is exact at whole steps, except for the first half step.
     assert abs(way[0] - 0.5 * (5 - 2) / 4 * 2**2) < 1e-6
 
 
-# A run that is cut off in its middle, by Ctrl-C or kill -9, ends with the same bits as the whole one.
+# A run that Ctrl-C or kill -9 stops in the middle ends, after resuming, with the same bits as an undisturbed run.
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL])
-def test_resume_goes_on_with_the_same_bits(lab, how, tmp_path):
+def test_resuming_gives_the_same_bits(lab, how, tmp_path):
     text = SEQUENTIAL % 110 + "checkpoint = 0.02\n"
     whole = summary(lab.run(text))
     scene = tmp_path / "cut.toml"
@@ -147,9 +147,10 @@ def test_resume_goes_on_with_the_same_bits(lab, how, tmp_path):
     assert again["solver"]["contact_iterations"] == whole["solver"]["contact_iterations"]
 
 
-# A disc that may not roll slides on a floor whose friction is 0.4 at rest and 0.1 from slip 0.5 on: dv/dt = -0.1 down to
-# that, then -mu(v) g with mu = 0.4 - 0.6 v, so that v = 0.5 exp(0.6 t) - (0.4/0.6)(exp(0.6 t) - 1). From 1.0 it is at 0.5
-# after 5, and stops where exp(0.6 t) = 4. Each step takes the slip before it: an error of the order of dt.
+# A disc that cannot roll slides on a floor with friction 0.4 at rest and 0.1 above the slip speed 0.5. So dv/dt = -0.1
+# down to v = 0.5, then dv/dt = -mu(v) g with mu = 0.4 - 0.6 v, and v = 0.5 exp(0.6 t) - (0.4/0.6)(exp(0.6 t) - 1). From
+# 1.0 it slows to 0.5 after a time of 5, and stops where exp(0.6 t) = 4. Each step uses the slip speed before it, which
+# gives an error of the order of dt.
 def test_friction_weakens_with_slip(lab):
     folder = lab.run("""
 [method]
@@ -222,7 +223,7 @@ def test_refused(tmp_path, more, said):
     assert not (tmp_path / "out").exists()
 
 
-def test_sequential_source_is_of_contact_dynamics(tmp_path):
+def test_sequential_source_needs_contact_dynamics(tmp_path):
     scene = tmp_path / "scene.toml"
     scene.write_text("[source]\nkind = \"sequential\"\n[stop]\ntime = 1\n")
     tried = subprocess.run([PROGRAM, "check", scene], capture_output=True, text=True)

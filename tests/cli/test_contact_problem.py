@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""One contact problem apart from any run: exported, solved, judged by the outside residual, refused where it is bad."""
+"""Contact problems outside a run: exported, solved, judged by the independent residual, refused if invalid."""
 
 import sys
 from pathlib import Path
@@ -70,18 +70,18 @@ def bed(request, tmp_path_factory):
 
 
 def solved(lab, *options, problem=PROBLEM):
-    """(impulses, attributes, velocities) that `repose solve` writes."""
+    """The (impulses, attributes, velocities) that `repose solve` writes."""
     result = lab("solve", problem, "--out", "answer.h5", "--overwrite", *options)
     assert result.returncode == 0, result.stderr
     with h5py.File(lab.path / "answer.h5") as file:
         return file["impulse"][()], dict(file.attrs), file["velocity"][()]
 
 
-# From nothing, contacts open, close and slide in turn, which takes more sweeps than the cap of a run allows.
+# From zero impulses, contacts open, close and slide alternately, which takes more sweeps than the limit of a run allows.
 @pytest.mark.parametrize("tolerance, how", ((1e-6, ["--most-sweeps", "200000"]), (1e-6, ["--warm"]),
                                             (1e-4, ["--solver", "sweeps", "--most-sweeps", "200000"]),
                                             (1e-6, ["--most-sweeps", "3"])))
-def test_outside_residual_agrees_with_our_own(bed, tolerance, how):
+def test_the_independent_residual_agrees_with_that_of_the_program(bed, tolerance, how):
     impulses, said, moved = solved(bed, "--tolerance", tolerance, *how)
     outside = residual(bed.problem, impulses)
     for name in ("normal", "tangential", "rolling"):
@@ -96,11 +96,11 @@ def test_outside_residual_agrees_with_our_own(bed, tolerance, how):
     assert said["contact_iterations"] == 2 * said["sweeps"] * len(impulses) and said["cpu_seconds"] > 0
 
 
-def test_outside_residual_finds_planted_errors(bed):
+def test_the_independent_residual_finds_planted_errors(bed):
     impulses, _, _ = solved(bed, "--tolerance", "1e-6", "--most-sweeps", "200000")
     problem = bed.problem
     assert residual(problem, impulses)["worst"] <= 1e-6 * (1 + 1e-6)
-    # Without contacts the grains fall: they close at g dt and more.
+    # Without contact impulses the grains fall: contacts close at g dt or faster.
     assert residual(problem, np.zeros_like(impulses))["normal"] > 0.9
     pressed = np.flatnonzero(impulses[:, NORMAL] > 0.1 * impulses[:, NORMAL].max())
     assert len(pressed) > 10
@@ -112,7 +112,7 @@ def test_outside_residual_finds_planted_errors(bed):
         wrong = impulses.copy()
         wrong[k, TANGENTIAL] += 0.01 * impulses[k, NORMAL]
         assert residual(problem, wrong)["tangential"] > 1e-4
-    # A bed in which friction carries more than it may, though nothing moves.
+    # A bed in which friction exceeds its limit, although nothing moves.
     weak = read_problem(bed.path / PROBLEM)
     used = np.abs(impulses[pressed, TANGENTIAL]) / impulses[pressed, NORMAL]
     weak.friction = np.where(np.isin(np.arange(len(impulses)), pressed[used.argmax()]), 0.5 * used.max(), problem.friction)
@@ -127,7 +127,7 @@ def test_outside_residual_finds_planted_errors(bed):
     assert residual(problem, lost)["worst"] == np.inf
 
 
-# The solver starts from the impulses of the run, but for rounding; velocities are unique where friction does not slide.
+# The solver starts from the impulses of the run, to rounding. Velocities are unique where friction does not slide.
 def test_the_problem_is_the_next_step_of_the_run(lab):
     lab.run(BOX % ("1e-11", 2.0))
     assert lab("export", "out", "--to", "contact-problem").returncode == 0
@@ -165,7 +165,7 @@ def test_a_file_of_another_program_is_read(bed):
 
 
 def planted(lab, change):
-    """The problem with something changed in it, as a new file."""
+    """Writes a new file of the problem with a change in it."""
     path = lab.path / "bad.h5"
     path.write_bytes((lab.path / PROBLEM).read_bytes())
     with changed(path) as file:
@@ -223,7 +223,7 @@ def test_bad_problems_are_refused(bed):
         bed.refused("solve", bad, "--out", "nothing.h5", parts=[message])
 
 
-def test_all_mistakes_are_said_at_once(bed):
+def test_all_mistakes_are_reported_at_once(bed):
     def change(file):
         file["contacts/friction"][2:5] = -1
         file["contacts/normal"][7] = [2, 0]
@@ -244,7 +244,7 @@ def test_damage_and_other_files_are_refused(bed):
     bed.refused("solve", "out/run.h5", parts=["is no contact problem"])
 
 
-def test_nothing_is_replaced_unasked(bed):
+def test_no_file_is_replaced_without_overwrite(bed):
     (bed.path / "kept.txt").write_text("kept")
     bed.refused("solve", PROBLEM, "--out", "kept.txt", parts=["is there already"])
     bed.refused("solve", PROBLEM, "--out", PROBLEM, "--overwrite", parts=["is the problem itself"])
@@ -253,7 +253,7 @@ def test_nothing_is_replaced_unasked(bed):
     assert (bed.path / "kept.txt").read_text() == "kept"
 
 
-def test_missed_tolerance_is_said(bed):
+def test_a_missed_tolerance_is_reported(bed):
     result = bed("solve", PROBLEM, "--tolerance", "1e-6", "--most-sweeps", "2")
     assert result.returncode == 0 and "was not reached in 2 sweeps" in result.stderr
     assert "residual" in result.stdout and "sweeps              2" in result.stdout

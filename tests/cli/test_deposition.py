@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Critical-angle deposition through the program: what a packing must give, resuming, refused scenes."""
+"""Critical-angle deposition through the program: packings, resuming, refused scenes."""
 
 import csv
 import json
@@ -32,7 +32,7 @@ def scene(angle=50, base="contiguous", width=32, x="periodic", count=1000, more=
     return SCENE % (angle, base, width, x, count) + more
 
 
-# pi / (2 sqrt 3) = 0.9069 is the triangular packing; the slab cuts its layers, hence 5e-4. Six neighbours exactly.
+# The triangular packing has pi / (2 sqrt 3) = 0.9069 and exactly six neighbours. The slab cuts its layers, hence 5e-4.
 def test_steepest_descent_is_triangular(lab):
     found = summary(lab.run(scene(0)))
     assert abs(found["solid_fraction"] - math.pi / (2 * math.sqrt(3))) < 5e-4
@@ -40,9 +40,9 @@ def test_steepest_descent_is_triangular(lab):
     assert found["packing"]["regime"] == "dense ordered"
 
 
-# A diameter of 0.1 is no sum of few powers of two: rounding grows about threefold a layer, from 1e-16 to the size of a
-# disc by layer 33, and what lies above is disordered, near the 0.82 of steepest descent on a disordered base. Snapped
-# places forget it. 94 layers; bounds far from both.
+# A diameter of 0.1 is not a short sum of powers of two. Rounding grows about threefold per layer, from 1e-16 to the size
+# of a disc at layer 33. Above it the packing is disordered, near the 0.82 of steepest descent on a disordered base. With
+# snapped positions rounding does not grow. 94 layers; the bounds are far from both values.
 @pytest.mark.parametrize("arithmetic, least, most", [("double", 0.78, 0.86), ("snapped", 0.905, 0.909)])
 def test_rounding_disorders_steepest_descent(lab, arithmetic, least, most):
     found = summary(lab.run(scene(0, count=3000, more="[grains]\ndiameter = 0.1\n"), "--set",
@@ -50,8 +50,9 @@ def test_rounding_disorders_steepest_descent(lab, arithmetic, least, most):
     assert least < found["solid_fraction"] < most
 
 
-# A forest of discs that touch one other when they come: z = 2; anisotropy 0.742 and direction 30.3 deg are bulk values of
-# an independent code. One packing of 50 000: errors 0.002 and 0.1 deg, bounds at about four of them.
+# A forest, in which each disc touches one earlier disc: z = 2. The bulk values of an independent code are 0.742 for the
+# anisotropy and 30.3 deg for the direction. One packing of 50 000 discs has errors of 0.002 and 0.1 deg; the bounds are
+# about four of them.
 def test_sticking_at_first_touch(lab):
     found = summary(lab.run(scene(90, width=200, count=50000)))
     assert abs(found["coordination"] - 2) < 2e-3
@@ -70,7 +71,7 @@ def test_bases_and_sides(lab, base, x):
     grains = Grains(out / "run.h5")
     fixed = grains.base == 1
     assert fixed.sum() == {"contiguous": 20, "flat": 0}.get(base, fixed.sum())
-    if base == "disordered":  # parked until none fits: no two closer than a diameter, no gap of two
+    if base == "disordered":  # filled until no disc fits: no two closer than a diameter, no gap of two
         gaps = np.diff(np.sort(grains.position[fixed, 0]))
         assert 10 < fixed.sum() < 20 and gaps.min() >= 1 and gaps.max() < 2
     assert (grains.position[:, 1] >= grains.radius - 0.5 - 1e-9).all()
@@ -82,8 +83,8 @@ def test_bases_and_sides(lab, base, x):
     assert summary(lab.path / "again")["state_hash"] == found["state_hash"]
 
 
-# Independent pair counting on the places that were written.
-def test_measures_agree_with_the_places(lab):
+# Independent pair counting from the written positions.
+def test_measures_agree_with_the_positions(lab):
     out = lab.run(scene(40, width=16, count=300))
     grains = Grains(out / "run.h5")
     x, y = grains.position.T
@@ -99,7 +100,7 @@ def test_measures_agree_with_the_places(lab):
     assert touching.sum() == 2 * found["contacts"]
     analysis = datasets(out / "analysis.h5")
     assert (analysis["/packing/neighbours"] == touching.sum(axis=1)).all()
-    # Strips of a thousandth of a diameter: the chords of all discs in them over the width.
+    # The chords of all discs in strips of a thousandth of a diameter, over the width.
     edges = np.linspace(0.4 * mean, 1.4 * mean, 20001)
     middles = 0.5 * (edges[1:] + edges[:-1])
     half = np.sqrt(np.maximum(0, 0.25 - (y[:, None] - middles[None, :]) ** 2))
@@ -110,7 +111,7 @@ def test_the_optional_measures_are_written(lab):
     more = "[analysis]\ncorrelations = true\nstructure_factor = true\nlocal_density = true\n"
     found = datasets(lab.run(scene(60, more=more)) / "analysis.h5")
     radial = found["/packing/radial/value"]
-    assert radial[:9].max() == 0 and radial[10] > 3  # none nearer than a diameter, many at it
+    assert radial[:9].max() == 0 and radial[10] > 3  # none nearer than a diameter, many at a diameter
     assert (found["/packing/structure_factor/value"] > 0).all()
     bins = found["/packing/local_density/centre"]
     assert abs(found["/packing/local_density/probability"].sum() * (bins[1] - bins[0]) - 1) < 1e-9
@@ -130,9 +131,9 @@ def finished_bits(out):
     return {name: value.tobytes() for name, value in found.items() if not name.startswith("/series/wall")}
 
 
-# An interrupted deposition goes on to the same bits; so does one that was killed, from its last checkpoint.
+# An interrupted deposition resumes and ends with the same bits; so does a killed one, from its last checkpoint.
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL])
-def test_goes_on_to_the_same_bits(lab, how):
+def test_resuming_gives_the_same_bits(lab, how):
     text = scene(0, width=500, count=3_000_000, more="[output]\ncheckpoint = 0.2\n")
     lab.scene(text)
     run = subprocess.Popen([PROGRAM, "run", "scene.toml", "--out", "cut", "--quiet"], cwd=lab.path)
@@ -142,7 +143,7 @@ def test_goes_on_to_the_same_bits(lab, how):
     run.send_signal(how)
     run.wait()
     assert run.returncode != 0, "it had ended before it could be cut off"
-    # What was there then is a part of what is there in the end: the first discs do not move any more.
+    # The discs of the interrupted state are the first discs of the final state: deposited discs do not move.
     smaller = lab.run(scene(0, width=500, count=200_000), out="smaller")
     assert lab("resume", "cut", "--quiet").returncode == 0
     cut, whole = Grains(lab.path / "cut/run.h5"), Grains(smaller / "run.h5")
@@ -193,11 +194,11 @@ def test_pictures(lab):
     assert "#2d3f8c" in svg and "#4d4d4d" in svg  # six neighbours, and the base
     plain = lab.run(scene(0, width=16, count=300), out="plain")
     said = lab("plot", "plain", "--format", "svg", "--only", "correlations", timeout=120).stdout
-    assert "correlations: not drawn: the packing has no radial nor structure_factor" in said
+    assert "correlations: not drawn: the packing has no radial or structure_factor" in said
     assert not (plain / "pictures/correlations.svg").exists()
 
 
-# The table of a sweep, from the numbers of its members; the picture of a sweep over a number.
+# The table of a sweep against the numbers of its members, and the picture of a sweep over a number.
 def test_sweep_over_the_angle(lab):
     (lab.path / "scene.toml").write_text(scene(width=10, count=200))
     (lab.path / "sweep.toml").write_text(
@@ -219,8 +220,8 @@ def test_sweep_over_the_angle(lab):
     assert drawn.returncode == 0 and (lab.path / "out/pictures/packing-2.svg").exists(), drawn.stdout + drawn.stderr
 
 
-# A settled bed of soft grains, measured the same way: where grains overlap they touch, and a random close packing of discs
-# has a solid fraction of 0.82 to 0.85 (Bratberg 2003, section 2.3).
+# A settled bed of soft grains, measured in the same way. Overlapping grains touch, and a random close packing of discs has
+# a solid fraction of 0.82 to 0.85 (Bratberg 2003, section 2.3).
 def test_a_bed_of_the_soft_method_is_measured(lab):
     out = lab.run("""
 grains = { polydispersity = 0.2 }

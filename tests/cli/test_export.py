@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Exports, read back by VTK, by a reader of LAMMPS dumps of a few lines, and as tables."""
+"""Exports, read back by VTK, by a short reader of LAMMPS dumps, and as tables."""
 
 import csv
 import re
@@ -84,7 +84,7 @@ def test_vtk(run):
     assert (contacts["grains"] == found["/contacts/grains"]).all()
     for name in ("normal_force", "tangential_force", "overlap", "sliding"):
         assert (contacts[name] == found[f"/contacts/{name}"]).all(), name
-    # A line is as long as the distance of the centres, also across a periodic side, or as the radius at a wall.
+    # The length of a line is the distance of the centres, also across a periodic side, or the radius at a wall.
     ends = points.reshape(-1, 2, 3)
     radius = dict(zip(found["/grains/id"], found["/grains/radius"]))
     rigid = np.array([radius[i] + (radius[j] if j >= 0 else 0.0) for i, j in found["/contacts/grains"]])
@@ -149,7 +149,7 @@ def table(path):
 
 
 def parts(run, group, name, width):
-    """Names of the columns of a dataset with several."""
+    """The names of the columns of a dataset with several columns."""
     if group == "series":
         return [f"{name}_{wall.decode()}" for wall in run.found["/walls/name"]]
     if width == 2:
@@ -186,7 +186,7 @@ def test_csv_holds_every_table(run):
     assert {name for name in tables if name.count("/") > 1} == seen
 
 
-def test_csv_says_units_and_settings(run):
+def test_csv_states_units_and_settings(run):
     exported(run, "--to", "csv", "--out", "units")
     notes, columns = table(run.path / "units/grains.csv")
     assert next(iter(columns)) == "id" and "# position: [L] centre" in notes
@@ -200,8 +200,8 @@ def test_only_the_last_state(run):
         "contacts.pvd", "contacts_000000.vtp", "grains.pvd", "grains_000000.vtp"]
 
 
-def test_exports_of_nothing(lab):
-    """A run without grains in contact, of one grain."""
+def test_exports_without_contacts(lab):
+    """A run of one grain without contacts."""
     lab.run("[[grain]]\nposition = [0.0, 5.0]\n[stop]\ntime = 0.1\n")
     for kind in ("vtk", "ovito", "csv"):
         assert lab("export", "out", "--to", kind).returncode == 0
@@ -210,7 +210,7 @@ def test_exports_of_nothing(lab):
 
 
 def test_a_second_export_replaces_the_first(lab):
-    """Parts of a longer series would be left over; what is not an export stays."""
+    """Files of an earlier, longer series are removed; files that are not exports stay."""
     out = lab.run(SCENES["heap"])
     vtk = out / "export/vtk"
     exported(lab, "--to", "vtk")
@@ -223,7 +223,7 @@ def test_a_second_export_replaces_the_first(lab):
     assert len(list(vtk.glob("grains_*.vtp"))) > 3
 
 
-def test_folders_of_others_are_left_alone(lab):
+def test_folders_that_are_not_exports_are_not_changed(lab):
     lab.run(SCENES["heap"])
     (lab.path / "mine").mkdir()
     (lab.path / "mine/grains.dump").write_text("precious")
@@ -235,7 +235,7 @@ def test_folders_of_others_are_left_alone(lab):
 
 
 def test_a_killed_run_without_analysis(lab):
-    """What a killed run leaves: frames that run.h5 does not name yet, no analysis. All that it names is exported."""
+    """A killed run has frames that run.h5 does not name yet, and no analysis. Everything that it names is exported."""
     out = lab.run(SCENES["heap"])
     shutil.copy(out / "frames/000000.h5", out / "frames/000099.h5")
     (out / "analysis.h5").unlink()
@@ -260,7 +260,7 @@ def test_missing_and_damaged_frames(lab, kind):
 
 
 def test_disk_full(lab):
-    """A limit on the size of a file stands in for it: nothing is left behind, nor is an older export harmed."""
+    """A limit on the size of a file simulates it: no partial file is left, and an older export is not harmed."""
     out = lab.run(SCENES["heap"])
     before = everything_in(out)
     for kind, blocks in (("vtk", 4), ("ovito", 8), ("csv", 2)):
@@ -276,7 +276,7 @@ def test_disk_full(lab):
 
 
 def test_grains_that_were_exported_start_a_run(run):
-    """Import of what was exported: the same bits of places, velocities, radii."""
+    """An import of an export has the same bits of positions, velocities and radii."""
     for kind, file in (("csv", "grains.csv"), ("ovito", "grains.dump")):
         exported(run, "--to", kind, "--out", f"again-{kind}")
         scene = f"again-{kind}.toml"
@@ -290,7 +290,7 @@ def test_grains_that_were_exported_start_a_run(run):
             again = {name: file[f"grains/{name}"][()] for name in ("position", "velocity", "radius", "fixed", "base", "mass")}
         for name in ("radius", "fixed", "base", "mass"):
             assert (again[name] == run.found[f"/grains/{name}"]).all(), name
-        # One step on: a thousandth of a velocity, and of what the forces add to it.
+        # One step later: a thousandth of the velocity and of its change by the forces.
         far = np.abs(run.found["/grains/velocity"]).max() * 1e-3 + 1e-3
         moved = np.abs(again["position"] - run.found["/grains/position"])
         assert np.minimum(moved, 16.0 - moved if box else moved).max() < far

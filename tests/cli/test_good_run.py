@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A small heap that runs well: its files, its numbers, the same bits again."""
+"""A small heap that runs well: its files, its numbers, and the same bits in a repeated run."""
 
 import math
 import shutil
@@ -65,7 +65,7 @@ def test_summary_keys_and_agreement_with_the_state(heap):
     assert numbers["kinetic_energy_per_grain"] < 1e-6 and numbers["force_residual"] < 1e-6
 
 
-def test_weight_stands_on_the_base(heap):
+def test_the_base_carries_the_weight(heap):
     numbers = summary(heap)
     assert abs(numbers["weight_error"]) < 1e-3
     assert math.isclose(sum(numbers["base_profile"]["normal"]), 40, rel_tol=1e-3)
@@ -167,7 +167,7 @@ def test_stop(lab):
     assert "stop.time" in early["stop_reason"] and "at rest" not in early["stop_reason"]
     late = summary(lab.run(HEAP, out="late"))
     assert "at rest" in late["stop_reason"] and late["time"] == rest["time"]
-    # Only once the last grain is out: a grain that lies still while others are to come is no end.
+    # Only after the last grain was released: a grain at rest while others are still to come does not end the run.
     slow = summary(lab.run(HEAP, "--set", "source.count=2", "--set", "source.rate=0.01", out="slow"))
     assert slow["grains"] == 2 and slow["time"] > 100
 
@@ -180,7 +180,7 @@ def test_quiet_and_not_quiet(lab):
     assert loud.returncode == 0 and "at rest" in loud.stdout and "angle of repose" in loud.stdout
 
 
-def test_check_writes_nothing_and_says_the_step(lab):
+def test_check_writes_no_file_and_prints_the_step(lab):
     lab.scene(HEAP)
     result = lab("check", "scene.toml")
     assert result.returncode == 0 and result.stderr == ""
@@ -197,7 +197,7 @@ def test_help_and_version(lab):
 
 
 def test_si_units_give_the_same_heap(lab):
-    """The same scene in SI: lengths in 3 mm, masses in 0.02 kg; time in sqrt(d / g)."""
+    """The same scene in SI units: the diameter is 3 mm, the mass 0.02 kg, and the unit of time sqrt(d / g)."""
     d, m, g = 0.003, 0.02, 9.81
     t = math.sqrt(d / g)
     si = f"""units = "SI"

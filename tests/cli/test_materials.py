@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Laws and materials from scene files, and what `repose check` says of them. Units: diameter, mass, gravity."""
+"""Laws and materials from scene files, and the report of `repose check` on them. Units: diameter, mass, gravity."""
 
 import math
 import re
@@ -23,22 +23,22 @@ time = 2
 
 
 def rebound(lab, contact, first=1.0, more="", tail="", out="out"):
-    """Relative speed after a head-on impact over that before."""
+    """The relative speed after a head-on impact over that before."""
     text = "gravity = 0\n[method]\ntime_step = 1e-4\n[contact]\n" + contact + TWO % (first, more) + tail
     velocity = Grains(lab.run(text, out=out) / "run.h5").velocity[:, 0]
     return (velocity[1] - velocity[0]) / 0.5
 
 
-# Velocities in the dashpot are those of the half step: first order in w dt = 0.01 to 0.02.
+# The dashpot uses the velocities of the half step, which is of first order in w dt = 0.01 to 0.02.
 @pytest.mark.parametrize("law", ["law = 'hooke', stiffness = 1e4", "law = 'hertz', stiffness = 1e5"])
 @pytest.mark.parametrize("restitution", [0.2, 0.8])
 @pytest.mark.parametrize("first, more", [(1.0, ""), (0.4, ""), (1.0, "fixed = true")])
-def test_restitution_as_asked(lab, law, restitution, first, more):
+def test_restitution_is_as_requested(lab, law, restitution, first, more):
     contact = f"normal = {{ {law}, restitution = {restitution} }}\n"
     assert rebound(lab, contact, first, more) == pytest.approx(restitution, abs=5e-3)
 
 
-# C = d m_red: e = exp(-pi b / w), b = d / 2, w^2 = k / m_red - b^2, where the dashpot may pull.
+# C = d m_red gives e = exp(-pi b / w), b = d / 2, w^2 = k / m_red - b^2, if the dashpot may pull.
 def test_viscosity(lab):
     rate, reduced = 30.0, 0.5
     contact = HOOKE % f"viscosity = {rate}, attraction = true"
@@ -47,7 +47,7 @@ def test_viscosity(lab):
 
 
 def test_materials_meet_by_the_law_of_their_pair(lab):
-    """Steel on steel 0.9, on rubber 0.2; what the pair does not say is as in [contact]."""
+    """Steel on steel has 0.9, steel on rubber 0.2; parameters that the pair does not set are those of [contact]."""
     contact = HOOKE % "restitution = 0.9"
     tail = "[[material]]\nname = 'steel'\n[[material]]\nname = 'rubber'\n[[pair]]\nfirst = 'rubber'\nsecond = 'steel'\n" \
         "friction = 0.1\nnormal = { law = 'hooke', stiffness = 1e4, restitution = 0.2 }\n"
@@ -97,12 +97,12 @@ time = 40
     assert_same_bits(first / "run.h5", second / "run.h5")
     materials = datasets(first / "run.h5")["/grains/material"]
     assert (materials[:21] == 1).all() and (materials[21:] == 0).all()
-    # A pair that says nothing but friction has the other parameters of [contact].
+    # A pair that sets only friction has the other parameters of [contact].
     assert (first / "scene.toml").read_text().count("stiffness = 20000.0") == 2
 
 
 def test_cohesion_holds_up_to_its_force(lab):
-    """A disc below a fixed one hangs on an attraction of 1.5 weights and falls off one of 0.5."""
+    """A disc below a fixed one hangs on an attraction of 1.5 weights, and falls with one of 0.5."""
     for force, hangs in ((1.5, True), (0.5, False)):
         text = f"[contact]\n{HOOKE % 'damping = 0.5'}cohesion = {{ law = 'constant', force = {force} }}\n" + """[[grain]]
 position = [0.0, 0.0]
@@ -117,7 +117,7 @@ time = 10
 
 
 def test_rolling_friction_makes_heaps_steeper(lab):
-    """Of one seed; 40 grains: rolling friction 0.3 against none."""
+    """One seed; rolling friction 0.3 against none."""
     heap = "[contact]\nnormal = { law = 'hooke', stiffness = 5e3 }\n%s[base]\nkind = 'row'\nhalf_width = 15\n" \
         "[source]\nkind = 'pour'\ncount = 120\nrate = 2\nheight = 12\nhalf_width = 1\n[stop]\nat_rest = 1e-5\ntime = 400\n"
     heights = [summary(lab.run(heap % more, out=f"o{k}"))["heap_height"] for k, more in enumerate(
@@ -153,7 +153,7 @@ time = 10
     assert set(rows) == {"stone and stone", "stone and wood", "wood and wood"}
     restitution, duration, one, column, steps = rows["stone and stone"]
     assert restitution == pytest.approx(0.7, abs=1e-4) and one == pytest.approx(1e-4)
-    # pi / w of the undamped contact is 0.0222; damping makes it a little longer.
+    # pi / w of the undamped contact is 0.0222; damping makes the contact a little longer.
     assert 0.0222 < duration < 0.026
     assert column == pytest.approx(7.2e-4, rel=0.02)  # sqrt(100 * 0.9 / sqrt(3)) grains
     step = float(re.search(r"time step +([0-9.e-]+)", said).group(1))
@@ -171,15 +171,15 @@ WRONG = {
     "restitution too small": ("[contact]\nnormal = { law = 'hooke', restitution = 1e-12 }\n" + BODY,
                               "contact.normal.restitution = 1e-12: is less than any damping"),
     "mindlin with hooke": ("[contact]\nnormal = { law = 'hooke' }\ntangential = { law = 'mindlin' }\n" + BODY,
-                           "contact.tangential.law = \"mindlin\": goes with contact.normal.law = \"hertz\" alone"),
+                           "contact.tangential.law = \"mindlin\": needs contact.normal.law = \"hertz\""),
     "rolling without friction": ("[contact]\nrolling = { law = 'spring' }\n" + BODY, "contact.rolling.friction: missing"),
     "viscous without rate": ("[contact]\ntangential = { law = 'viscous' }\n" + BODY, "contact.tangential.rate: missing"),
     "unknown material": (BODY + "[[plane]]\npoint = [0, 0]\nnormal = [0, 1]\nmaterial = 'gold'\n",
                          "plane[0].material = \"gold\": must be one of \"grain\""),
-    "material twice": (BODY + "[[material]]\nname = 'a'\n[[material]]\nname = 'a'\n", "material[1].name = \"a\": is taken"),
+    "material twice": (BODY + "[[material]]\nname = 'a'\n[[material]]\nname = 'a'\n", "material[1].name = \"a\": is used twice"),
     "material without a name": (BODY + "[[material]]\ndensity = 2\n", "material[0].name: missing"),
     "pair twice": (BODY + "[[material]]\nname = 'a'\n[[material]]\nname = 'b'\n" + "[[pair]]\nfirst = 'a'\nsecond = 'b'\n"
-                   "[[pair]]\nfirst = 'b'\nsecond = 'a'\n", "pair[1].second = \"a\": this pair was given before"),
+                   "[[pair]]\nfirst = 'b'\nsecond = 'a'\n", "pair[1].second = \"a\": this pair is given twice"),
     "negative cohesion": ("[contact]\ncohesion = { law = 'constant', force = -1 }\n" + BODY, "contact.cohesion.force = -1: must be >= 0"),
 }
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where a run may be written, and what is left when the disk is full."""
+"""The folders into which a run may be written, and their content after a full disk."""
 
 import os
 from pathlib import Path
@@ -28,7 +28,7 @@ def test_folder_not_empty(lab, scene):
     assert (lab.path / "full/letter.txt").read_text() == "dear\n"
 
 
-def test_folder_with_half_a_run_is_left_alone(lab, scene):
+def test_folder_with_half_a_run_is_not_changed(lab, scene):
     (lab.path / "mine").mkdir()
     (lab.path / "mine/scene.toml").write_text("precious\n")
     (lab.path / "mine/frames").mkdir()
@@ -107,7 +107,7 @@ def test_a_bad_scene_with_overwrite_keeps_the_older_run(lab, scene):
     assert contents(lab.path / "out") == before
 
 
-# --- a full disk: a limit on the size of any file, in blocks of 1024 bytes, stands in for it
+# --- a full disk, simulated by a limit on the size of files in blocks of 1024 bytes
 
 def test_disk_full_at_the_start(lab, scene):
     for blocks, name in ((0, "out/scene.toml"), (1, "scene.toml"), (6, "out/run.h5")):
@@ -121,14 +121,14 @@ def test_disk_full_at_the_start_below_new_folders(lab, scene):
     assert not (lab.path / "a").exists()
 
 
-def test_disk_full_at_the_start_keeps_a_folder_that_was_there(lab, scene):
+def test_disk_full_at_the_start_keeps_an_existing_folder(lab, scene):
     (lab.path / "empty").mkdir()
     lab.refused("run", scene, "--out", "empty", before="ulimit -f 6", parts=["empty/run.h5"])
     assert everything_in(lab.path / "empty") == []
 
 
 def test_disk_full_at_the_start_of_an_overwrite(lab, scene):
-    """A run that cannot be replaced should not be lost."""
+    """A run that cannot be replaced is not lost."""
     assert lab("run", scene, "--out", "out", "--quiet").returncode == 0
     before = contents(lab.path / "out")
     result = lab("run", scene, "--out", "out", "--overwrite", before="ulimit -f 6")
@@ -138,7 +138,7 @@ def test_disk_full_at_the_start_of_an_overwrite(lab, scene):
 
 @pytest.mark.parametrize("what", ["series", "grains"])
 def test_disk_full_later(lab, what):
-    """The start fits, a later output does not: what is in the folder is the last complete output."""
+    """The start fits and a later output does not: the folder keeps the last complete output."""
     if what == "series":  # six columns of eight bytes a row
         text = HEAP.replace("count = 40", "count = 2").replace("at_rest = 1e-6\n", "") + "[output]\nframes = 5\nseries = 0.05\n"
     else:

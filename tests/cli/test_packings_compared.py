@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Packings by geometry and by contact dynamics over the critical angle and over their solid fraction (Bratberg 2003, paper
-one, Figs. 6 to 8 and 10 to 14), on the small sweep of the examples. For ./dev validate."""
+"""Packings by geometry and by contact dynamics, against the critical angle and the solid fraction (Bratberg 2003, paper
+one, Figs. 6 to 8 and 10 to 14), on the small sweep of the examples. Run by ./dev validate."""
 
 import csv
 import os
@@ -25,7 +25,7 @@ SHARES = [f"packing.P_{q}" for q in range(7)]
 
 
 class Members:
-    """Measures by method and angle, in order of seed."""
+    """The measures by method and angle, in order of the seed."""
 
     def __init__(self, rows, folder=None):
         self.rows, self.folder = rows, folder
@@ -40,15 +40,15 @@ class Members:
         return np.array([float(row[measure]) for row in sorted(mine, key=lambda row: int(row["seed"]))])
 
     def difference(self, angle, measure):
-        """Contact dynamics less geometry, from pairs of the same seed and so of the same falling
-        places."""
+        """Contact dynamics minus geometry, from pairs with the same seed and so the same positions of the falling
+        discs."""
         pairs = self.values(RIGID, angle, measure) - self.values(GEOMETRY, angle, measure)
         return pairs.mean(), pairs.std(ddof=1) / np.sqrt(len(pairs))
 
     def at_equal_density(self, measure, angle):
-        """Contact dynamics at an angle less a cubic in the solid fraction through all packings by geometry, at the solid
-        fraction of each: single packings scatter too widely, and the curve bends too much, for means of them. Standard error
-        by the jackknife over the seeds. None beyond the curve."""
+        """Contact dynamics at an angle minus a cubic in the solid fraction through all packings by geometry, evaluated at
+        the solid fraction of each packing, because packings scatter too widely, and the curve bends too much, for a
+        comparison of means. Standard error by the jackknife over the seeds. None outside the curve."""
         known = {key: np.array([self.values(GEOMETRY, a, key) for a in self.angles]) for key in (DENSITY, measure)}
         found = {key: self.values(RIGID, angle, key) for key in (DENSITY, measure)}
         if not np.min(known[DENSITY].mean(axis=1)) <= found[DENSITY].mean() <= np.max(known[DENSITY].mean(axis=1)):
@@ -77,7 +77,7 @@ def show(what, found):
     print(what + ":", ", ".join(f"{angle:g} deg {value:+.4f} +- {error:.4f}" for angle, (value, error) in found.items()))
 
 
-# Shares of all numbers of contacts add up, and nothing floats but a rare disc that has crept off by the gap of contacts.
+# The fractions of all numbers of contacts sum to 1. No disc floats, except rarely one that crept away by the contact gap.
 def test_members_are_packings(members):
     for method in (GEOMETRY, RIGID):
         for angle in members.angles:
@@ -89,8 +89,8 @@ def test_members_are_packings(members):
         print(f"{angle:g} deg: {given_up.mean():.0f} of {steps.mean():.0f} steps given up")
 
 
-# Fig. 6: denser from 30 to 70 degrees by three standard errors of pairs, the most in the middle; 0.15 at 50 degrees, read off
-# to 0.03, to which 16 x 125 adds 0.02 and ten seeds 0.02: 0.15 +- 0.07.
+# Fig. 6: contact dynamics is denser from 30 to 70 degrees by three standard errors of pairs, most in the middle. The
+# figure shows 0.15 at 50 degrees, readable to 0.03; the size 16 x 125 adds 0.02 and ten seeds 0.02: 0.15 +- 0.07.
 def test_contact_dynamics_packs_more_densely(members):
     found = {angle: members.difference(angle, DENSITY) for angle in members.angles}
     show("solid fraction, contact dynamics less geometry", found)
@@ -104,8 +104,8 @@ def test_contact_dynamics_packs_more_densely(members):
         assert value > -3 * error, angle
 
 
-# Figs. 7, 8 and 10: more contacts, less anisotropic, closer to the horizontal. Five standard errors of pairs are seen at 40 and
-# 50 degrees. At 20 degrees and below, and at 80, the curves cross or meet.
+# Figs. 7, 8 and 10: more contacts, less anisotropy, directions closer to the horizontal. At 40 and 50 degrees the
+# differences are five standard errors of pairs. At 20 degrees and below, and at 80, the curves cross or meet.
 def test_fabric_over_the_angle(members):
     for measure, sign in ((COORDINATION, 1), (ANISOTROPY, -1), (DIRECTION, 1)):
         found = {angle: members.difference(angle, measure) for angle in members.angles}
@@ -114,8 +114,9 @@ def test_fabric_over_the_angle(members):
             assert sign * found[angle][0] > 3 * found[angle][1], (measure, angle)
 
 
-# At 90 degrees whatever sticks stays: the two packings are the same but for discs that graze, of which a few hang elsewhere.
-# Packings that creep have 0.04 more at a tolerance of 1e-3. Bounds at some four times what pairs of ten seeds give.
+# At 90 degrees every disc that sticks stays, so the two packings are the same except for a few grazing discs that hang
+# elsewhere. Creeping packings have 0.04 more at a tolerance of 1e-3. The bounds are about four times the differences of
+# pairs of ten seeds.
 def test_the_same_packing_at_90_degrees(members):
     bounds = {DENSITY: 0.005, COORDINATION: 0.02, ANISOTROPY: 0.06, DIRECTION: 1.5}
     for measure, bound in bounds.items():
@@ -135,8 +136,9 @@ def test_the_same_packing_at_90_degrees(members):
     assert np.mean(shares) > 0.7
 
 
-# Section IV: at equal solid fraction the two are alike: contacts within 0.12 and shares within 0.06, or two standard errors
-# more, and contacts more so than at equal angle. Anisotropy and direction are not (docs/physics/packings_compared.md): printed.
+# Section IV: at equal solid fraction the two agree: coordination within 0.12 and fractions within 0.06, or two standard
+# errors more, and the coordination better than at equal angle. Anisotropy and direction do not agree
+# (docs/physics/packings_compared.md); they are printed.
 def test_alike_at_equal_solid_fraction(members):
     angles = [angle for angle in members.angles if 30 <= angle <= 80]
     bounds = {COORDINATION: 0.12, **dict.fromkeys(SHARES[1:6], 0.06), ANISOTROPY: None, DIRECTION: None}
@@ -153,7 +155,7 @@ def test_alike_at_equal_solid_fraction(members):
             assert np.mean([abs(found[angle][0]) for angle in middle]) < of_angle
 
 
-# The comparison itself: packings that lie on the curve give nothing, such that lie beside it are found.
+# Test of the comparison itself: packings on the curve give no difference, and packings beside it are detected.
 def test_comparison_at_equal_density():
     rows = []
     for method, densities in ((GEOMETRY, (0.7, 0.5, 0.4)), (RIGID, (0.65, 0.55, 0.45))):

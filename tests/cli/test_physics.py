@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Closed forms that scene files must give. Units: grain diameter, grain mass, gravity."""
+"""Scene files against closed forms. Units: grain diameter, grain mass, gravity."""
 
 import math
 
@@ -18,8 +18,8 @@ time = 60
 """
 
 
-# m g = m g (s/r)^(n+1) at r = s exactly; k (1 - r) = m g at r = 1 - 1/k. Tolerance 1e-9: the half-critical damping takes
-# the start away far below rounding.
+# m g = m g (s/r)^(n+1) exactly at r = s; k (1 - r) = m g at r = 1 - 1/k. Half-critical damping reduces the initial
+# deviation far below the tolerance of 1e-9.
 @pytest.mark.parametrize("normal, step, distance", [
     ("law = 'continuous', exponent = 36, cutoff = 1.2", '"auto"', 1.0),
     ("law = 'continuous', exponent = 36, cutoff = 1.2", "0.001", 1.0),
@@ -50,9 +50,9 @@ tangential = { law = "linear", stiffness = 5e3, damping = 0.5 }
 """
 
 
-# Dashpots of all contacts of a grain act together: in a bed the spin of grains is unstable beyond K dt^2 + 2 C dt = 4,
-# K = 4 z k_t / m and C = 4 z c_t / m, so with z = 3 to 4 contacts beyond 0.0015 here, though a single contact stands
-# 0.0037. The automatic step (z = 6, and 0.7 of that) lets it come to rest; at three times that step it never does.
+# The dashpots of all contacts of a grain act together. In a bed the spin of grains is unstable above K dt^2 + 2 C dt = 4,
+# K = 4 z k_t / m and C = 4 z c_t / m. With z = 3 to 4 contacts the limit is 0.0015 here, while a single contact allows
+# 0.0037. With the automatic step (z = 6, and 0.7 of that) the bed comes to rest; at three times that step it never does.
 def test_a_damped_bed(lab):
     calm = lab.run(BED % (200, '"auto"'), out="calm")
     assert summary(calm)["force_residual"] < 1e-5
@@ -68,7 +68,7 @@ def on_plane(body, base="kind = 'plane'", stop=40, more=""):
     return f"{more}[base]\n{base}\n[[grain]]\n{body}\n[stop]\ntime = {stop}\n"
 
 
-# m v R - I w is kept, rolling means v = -w R: 2/3 of the start for a disc (5/7 would be a sphere).
+# m v R - I w is conserved, and rolling means v = -w R: 2/3 of the initial speed for a disc (5/7 for a sphere).
 @pytest.mark.parametrize("more", ["", "contact = { normal = { law = 'hooke', stiffness = 1e4 }, tangential = "
                                       "{ law = 'linear', stiffness = 5e3, damping = 0.3 } }\n"])
 @pytest.mark.parametrize("diameter, direction", [(1.0, 1), (1.0, -1), (0.5, 1)])
@@ -80,7 +80,7 @@ def test_sliding_disc_ends_rolling(lab, more, diameter, direction):
 
 
 def test_backspin_returns(lab):
-    """v = 0.2, w R = 1: the kept combination v - w R / 2 gives a rolling speed (0.2 - 1/2) 2/3 = -0.2, back."""
+    """v = 0.2, w R = 1: v - w R / 2 is conserved, so the rolling speed is (0.2 - 1/2) 2/3 = -0.2, backward."""
     grains = Grains(lab.run(on_plane("position = [0.0, 0.5]\nvelocity = [0.2, 0.0]\nspin = 2.0")) / "run.h5")
     assert abs(grains.velocity[0, 0] + 0.2) < 1e-3 and abs(grains.spin[0] - 0.4) < 2e-3
 
@@ -103,7 +103,7 @@ def test_ordinary_plane_height_and_contact(lab):
 
 
 def test_wedge_of_two_planes(lab):
-    """A disc between two smooth walls at 45 degrees: each bears 1/sqrt(2) of a weight."""
+    """A disc between two smooth walls at 45 degrees: each carries 1/sqrt(2) of its weight."""
     text = "contact = { normal = { law = 'hooke', stiffness = 1000 }, tangential = { law = 'none' } }\n"
     for side in (-1, 1):
         text += f"[[plane]]\npoint = [0.0, 0.0]\nnormal = [{-side * 3}, 3]\n"
@@ -166,7 +166,7 @@ time = 60
 """
     out = lab.run(text)
     grains = Grains(out / "run.h5")
-    # Between the discs at 4.7 and at -4.1 + 10: midway, at 5.3 = -4.7.
+    # Midway between the discs at 4.7 and at -4.1 + 10, at 5.3 = -4.7.
     assert abs(grains.position[1, 0] + 4.7) < 1e-6 and 0.7 < grains.position[1, 1] < 0.9
     net = forces_on_grains(out / "run.h5")
     assert np.allclose(net[1], [0.0, 1.0], atol=1e-6) and abs(net[0][0] + net[2][0]) < 1e-6
@@ -203,7 +203,7 @@ def test_polydisperse_grains(lab, p, d):
     assert summary(out)["velocities"] == ("synchronised" if p > 0.5 else "half-step")
 
 
-def test_velocities_go_with_the_size_ratio(lab):
+def test_predicted_velocities_at_large_size_ratios(lab):
     lab.scene(HEAP)
     for settings, said in ((["grains.polydispersity=0.4"], "half-step"), (["grains.polydispersity=0.6"], "synchronised"),
                            (["grains.polydispersity=0.6", "method.velocities=half-step"], "half-step"),

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs that are interrupted, killed or damaged and go on: the same bits as if nothing had happened."""
+"""Runs that are interrupted, killed or damaged and then resumed: the same bits as an undisturbed run."""
 
 import json
 import os
@@ -18,10 +18,10 @@ import xxhash
 from conftest import PROGRAM, changed, datasets, summary, text_attribute
 
 KILLS = int(os.environ.get("REPOSE_KILLS", "2"))
-PARTS = int(os.environ.get("REPOSE_PARTS", "5"))  # of a file, at the end of each of which it is cut or changed
+PARTS = int(os.environ.get("REPOSE_PARTS", "5"))  # parts of a file; it is cut or changed at the end of each
 
-# A heap with all that a run can have: poured grains of many sizes, frames, a track, a moving wall, a load, the account
-# of the energy. About two seconds of computing, with a checkpoint as often as their cost allows.
+# A heap with everything that a run can have: poured grains of many sizes, frames, a track, a moving wall, a load, the
+# energy budget. About two seconds of computing, with checkpoints as often as their cost allows.
 SCENE = """[grains]
 polydispersity = 0.3
 [contact]
@@ -60,7 +60,7 @@ PERIODIC = SCENE.replace("[[plane]]", "[[wall]]").replace(
     "point = [-18.0, 0.0]\nnormal = [1.0, 0.0]", "from = [-18.0, 0.6]\nto = [-18.0, 9.0]").replace("half_width = 20\n", "half_width = 20\n[box]\nx = \"periodic\"\n").replace("energy = true\n", "")
 
 
-# The laws, sources and kinds of grains that the one above leaves out.
+# The laws, sources and kinds of grains that the scene above does not have.
 OTHER = """[contact]
 friction = 0.5
 normal = { law = "hertz", stiffness = 1e5, restitution = 0.6 }
@@ -92,7 +92,7 @@ checkpoint = 1e-3
 
 
 def comparable(folder):
-    """All numbers of a run folder but those that tell of the machine."""
+    """All numbers of a run folder except those that depend on the machine."""
     everything = {f"run{name}": value.tobytes() for name, value in datasets(folder / "run.h5").items()}
     numbers = summary(folder)
     for name in ("wall_seconds", "grain_steps_per_second", "threads", "checksum"):
@@ -129,7 +129,7 @@ def wait_for_checkpoint(folder, seconds=20):
 
 
 def wait_until(folder, simulated, seconds=30):
-    """Until a checkpoint of this simulated time is there: however busy the machine, the run is where it should be."""
+    """Waits until a checkpoint of this simulated time exists, on a machine of any load."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:
         for path in folder.glob("checkpoints/?.h5"):
@@ -152,7 +152,7 @@ def undisturbed(request, tmp_path_factory):
     return lab
 
 
-def test_checkpoints_change_nothing_and_go_when_the_run_is_finished(undisturbed):
+def test_checkpoints_change_no_result_and_are_removed_at_the_end(undisturbed):
     lab = undisturbed
     assert not (lab.path / "whole/checkpoints").exists()
     without = lab.run(lab.text.replace("checkpoint = 1e-3", "checkpoint = 0"), out="without")
@@ -162,7 +162,7 @@ def test_checkpoints_change_nothing_and_go_when_the_run_is_finished(undisturbed)
 
 
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
-def test_goes_on_bit_for_bit(undisturbed, how):
+def test_resuming_gives_the_same_bits(undisturbed, how):
     lab = undisturbed
     out = lab.path / f"cut{int(how)}"
     process = started(lab, out)
@@ -177,7 +177,7 @@ def test_goes_on_bit_for_bit(undisturbed, how):
     assert not (out / "checkpoints").exists()
 
 
-def test_other_laws_and_sources_go_on(lab):
+def test_other_laws_and_sources_resume(lab):
     lab.text = OTHER
     whole = lab.run(OTHER, out="whole")
     out = lab.path / "cut"
@@ -206,7 +206,7 @@ def test_interrupted_again_and_again(undisturbed):
 
 
 def test_kills_at_random_moments(undisturbed):
-    """Each kill leaves a folder that the analysis can read and that goes on; the end is that of the undisturbed run."""
+    """Each kill leaves a folder that can be analysed and resumed. The end is that of the undisturbed run."""
     lab = undisturbed
     moments = random.Random(7)
     for k in range(KILLS):
@@ -224,7 +224,7 @@ def test_kills_at_random_moments(undisturbed):
         shutil.rmtree(out)
 
 
-def test_a_kill_before_the_first_checkpoint_starts_anew(undisturbed):
+def test_a_kill_before_the_first_checkpoint_restarts_the_run(undisturbed):
     lab = undisturbed
     text = lab.text.replace("checkpoint = 1e-3", "checkpoint = 1000")
     usual, lab.text = lab.text, text
@@ -241,7 +241,7 @@ def test_a_kill_before_the_first_checkpoint_starts_anew(undisturbed):
     assert a == b
 
 
-def test_a_finished_run_stays_as_it_is(undisturbed):
+def test_a_finished_run_is_not_changed(undisturbed):
     lab = undisturbed
     before = {path: path.read_bytes() for path in (lab.path / "whole").rglob("*") if path.is_file()}
     result = lab("resume", "whole")
@@ -265,8 +265,8 @@ def test_a_folder_in_use_is_refused(undisturbed):
     assert_same_run(lab.path / "whole", lab.path / "used")
 
 
-def test_a_finished_run_whose_analysis_was_cut_off_gets_it(undisturbed):
-    """Killed after the last run.h5: the summary is of an earlier state, and a checkpoint is still there."""
+def test_a_finished_run_without_its_analysis_gets_it(undisturbed):
+    """After a kill behind the last run.h5 the summary is that of an earlier state, and a checkpoint still exists."""
     lab = undisturbed
     for k, spoil in enumerate((lambda path: path.unlink(),
                                lambda path: path.write_text(path.read_text().replace('"finished"', '"running"')))):
@@ -280,8 +280,8 @@ def test_a_finished_run_whose_analysis_was_cut_off_gets_it(undisturbed):
         assert not (out / "checkpoints").exists()
 
 
-def test_a_start_that_was_cut_off(lab):
-    """Before it was whole it is as if it had never been; when it was, it is gone on with."""
+def test_a_kill_during_the_start(lab):
+    """A folder that was not complete at the kill does not count; a complete one is resumed."""
     text = SCENE.replace("time = 240", "time = 6")
     whole = lab.run(text, out="whole")
     (lab.path / "begun/new").mkdir(parents=True)
@@ -313,7 +313,7 @@ def test_a_start_that_was_cut_off(lab):
 
 @pytest.fixture(scope="module")
 def interrupted(tmp_path_factory):
-    """A small run that was interrupted, with both checkpoints; and where it leads."""
+    """A small interrupted run with both checkpoints, and its final state."""
     from conftest import Laboratory
 
     lab = Laboratory(tmp_path_factory.mktemp("interrupted"))
@@ -335,7 +335,7 @@ def copy_of_cut(lab):
 
 
 def damaged(content, part, cut):
-    """The content cut at the end of a part, or with the byte there changed."""
+    """The content, cut at the end of a part or with the byte there changed."""
     place = len(content) * part // PARTS
     if cut:
         return content[:place]
@@ -344,14 +344,14 @@ def damaged(content, part, cut):
 
 
 def assert_clear(result):
-    """A line for each problem, which names the file."""
+    """Checks that each problem is one line that names the file."""
     assert result.returncode in (1, 2), f"exit {result.returncode}: {result.stderr}"
     lines = result.stderr.strip().splitlines()
     assert lines and all(line.removeprefix("repose: ").startswith("copy/") for line in lines), result.stderr
 
 
 @pytest.mark.parametrize("cut", [True, False], ids=["cut", "changed"])
-def test_damaged_checkpoint_is_named_and_the_other_one_taken(interrupted, cut):
+def test_a_damaged_checkpoint_is_reported_and_the_other_one_used(interrupted, cut):
     lab = interrupted
     for slot in (0, 1):
         for part in range(0, PARTS + (0 if cut else 1)):
@@ -375,8 +375,8 @@ def test_both_checkpoints_damaged(interrupted):
 
 @pytest.mark.parametrize("cut", [True, False], ids=["cut", "changed"])
 @pytest.mark.parametrize("name", ["run.h5", "scene.toml", "track/000000.h5", "analysis.h5", "summary.json"])
-def test_damaged_files_are_not_analysed_wrongly(interrupted, name, cut):
-    """Clear lines, or what the whole folder gives: never another answer."""
+def test_damaged_files_give_no_wrong_analysis(interrupted, name, cut):
+    """The analysis reports the damage, or gives the result of the undamaged folder: never another result."""
     lab = interrupted
     assert lab("analyse", "cut", "--quiet").returncode == 0
     right = summary(lab.path / "cut")
@@ -384,7 +384,7 @@ def test_damaged_files_are_not_analysed_wrongly(interrupted, name, cut):
         copy_of_cut(lab)
         path = lab.path / "copy" / name
         path.write_bytes(damaged(path.read_bytes(), part, cut))
-        derived = name in ("analysis.h5", "summary.json")  # made anew: a few parts tell
+        derived = name in ("analysis.h5", "summary.json")  # written again by the analysis: a few parts suffice
         for verb in ("analyse", "resume") if not derived or part % 10 == 0 else ("analyse",):
             result = lab(verb, "copy", "--quiet", timeout=60)
             if result.returncode != 0:
@@ -395,7 +395,7 @@ def test_damaged_files_are_not_analysed_wrongly(interrupted, name, cut):
                 assert_same_run(lab.path / "whole", lab.path / "copy")
 
 
-def test_a_changed_scene_does_not_go_on(interrupted):
+def test_a_changed_scene_is_not_resumed(interrupted):
     lab = interrupted
     copy_of_cut(lab)
     path = lab.path / "copy/scene.toml"
@@ -408,7 +408,7 @@ def test_a_changed_scene_does_not_go_on(interrupted):
         shutil.rmtree(lab.path / "copy/checkpoints", ignore_errors=True)
 
 
-def test_a_changed_analysis_is_taken_and_said(interrupted):
+def test_changed_analysis_settings_are_used_and_reported(interrupted):
     lab = interrupted
     copy_of_cut(lab)
     path = lab.path / "copy/scene.toml"
@@ -417,7 +417,7 @@ def test_a_changed_analysis_is_taken_and_said(interrupted):
     assert result.returncode == 0 and "its [analysis] is taken as it is now" in result.stderr
 
 
-def test_a_damaged_frame_is_named_and_the_run_goes_on(interrupted):
+def test_a_damaged_frame_is_reported_and_the_run_resumes(interrupted):
     lab = interrupted
     copy_of_cut(lab)
     path = lab.path / "copy/frames/000000.h5"
@@ -428,7 +428,7 @@ def test_a_damaged_frame_is_named_and_the_run_goes_on(interrupted):
     assert_same_run(lab.path / "whole", lab.path / "copy")
 
 
-def test_a_sweep_is_gone_on_with_by_its_own_command(lab):
+def test_a_sweep_is_resumed_by_its_own_command(lab):
     lab.scene("points = []")
     (lab.path / "swept/scenes").mkdir(parents=True)
     lab.scene("x = 1", "swept/sweep.toml")
@@ -436,7 +436,7 @@ def test_a_sweep_is_gone_on_with_by_its_own_command(lab):
     assert result.returncode == 2 and "repose sweep swept/sweep.toml" in result.stderr
 
 
-def test_a_failed_run_does_not_go_on(lab):
+def test_a_failed_run_is_not_resumed(lab):
     text = "contact = { normal = { law = 'hooke' } }\n" + "".join(
         f"[[grain]]\nposition = [{x}, 0.0]\n" for x in (0.0, 0.05)) + "[stop]\ntime = 5\n"
     lab.run(text, expect=1)
@@ -445,13 +445,13 @@ def test_a_failed_run_does_not_go_on(lab):
 
 
 @pytest.mark.parametrize("folder, part", [("nowhere", "no such folder"), (".", "holds no run")])
-def test_no_run_to_go_on_with(lab, folder, part):
+def test_no_run_to_resume(lab, folder, part):
     result = lab("resume", folder)
     assert result.returncode == 2 and part in result.stderr
 
 
 def test_state_hash_is_that_of_the_state(lab):
-    """The same for any threads, another for another seed."""
+    """It is the same for any number of threads, and different for another seed."""
     text = SCENE.replace("time = 240", "time = 20")
     hashes = [summary(lab.run(text, *options, out=f"o{k}"))["state_hash"] for k, options in enumerate(
         (["--threads", "1"], ["--threads", "2"], ["--threads", "3"], ["--threads", "4"], ["--seed", "2"]))]
@@ -460,15 +460,15 @@ def test_state_hash_is_that_of_the_state(lab):
 
 
 def test_summary_carries_its_checksum(undisturbed):
-    """The checksum is that of the text before it; a sweep does not count a summary that was changed."""
+    """The checksum is that of the text before it. A sweep does not use a changed summary."""
     text = (undisturbed.path / "whole/summary.json").read_text()
     checksum = json.loads(text)["checksum"]
     assert list(json.loads(text))[-1] == "checksum" and re.fullmatch("[0-9a-f]{32}", checksum)
     assert xxhash.xxh3_128_hexdigest(text[: text.rindex(',\n  "checksum"')].encode()) == checksum
 
 
-def test_the_analysis_hands_the_hash_of_the_state_on(undisturbed):
-    """Sizes differ and velocities are kept as spins: the exact bits are not those of run.h5."""
+def test_the_analysis_keeps_the_hash_of_the_state(undisturbed):
+    """With unequal sizes run.h5 holds spins, so it does not have the exact bits of the rim velocities."""
     lab = undisturbed
     shutil.copytree(lab.path / "whole", lab.path / "read_again")
     before = summary(lab.path / "read_again")
@@ -479,7 +479,7 @@ def test_the_analysis_hands_the_hash_of_the_state_on(undisturbed):
 @pytest.mark.parametrize("cut", [True, False], ids=["cut", "changed"])
 @pytest.mark.parametrize("name", ["run.h5", "analysis.h5", "summary.json", "frames/000000.h5"])
 def test_damaged_files_are_not_read_by_the_package(interrupted, package, name, cut):
-    """The Python package says so in one line, or what it reads is right."""
+    """The Python package reports the damage in one line, or its data are right."""
     lab = interrupted
     right = package.open(lab.path / "cut")
     for part in range(0, PARTS + (0 if cut else 1)):
@@ -510,7 +510,7 @@ def package(monkeypatch):
     return repose
 
 
-def test_the_package_says_once_that_it_cannot_tell_damage(undisturbed, package, monkeypatch):
+def test_the_package_reports_once_that_it_cannot_detect_damage(undisturbed, package, monkeypatch):
     from repose import hdf5
 
     monkeypatch.setattr(hdf5, "xxhash", None)

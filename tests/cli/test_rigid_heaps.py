@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The heap of Baxter et al. from rigid grains, in small: examples/heap-cd.toml with 100 grains. For ./dev validate."""
+"""The heap of Baxter et al. from rigid grains: examples/heap-cd.toml with 100 grains. Run by ./dev validate."""
 
 import os
 from pathlib import Path
@@ -17,7 +17,7 @@ SEEDS = range(1, 6)
 
 @pytest.fixture(scope="module")
 def heaps(tmp_path_factory):
-    """Summaries by height of the fall, in order of seed."""
+    """The summaries by height of fall, in order of the seed."""
     folder = tmp_path_factory.mktemp("heaps")
 
     def heap(height, seed):
@@ -30,20 +30,21 @@ def heaps(tmp_path_factory):
     return {height: [heap(height, seed) for seed in SEEDS] for height in (20, 100)}
 
 
-def test_base_carries_what_lies_on_it(heaps):
-    # Each contact misses its law by 1e-3 g dt at most, so a grain its balance by a few 1e-3 of its weight, either way.
+def test_the_base_carries_the_weight(heaps):
+    # The residual of a contact is at most 1e-3 g dt, so the force on a grain is out of balance by at most a few 1e-3 of its
+    # weight, with either sign.
     for heap in heaps[20] + heaps[100]:
         assert abs(heap["weight_error"]) < 2e-3
-        # Left alone: 1e-3 radii of overlap; not taken back at once: what residuals add.
+        # Overlaps up to 1e-3 radii are not corrected; overlaps from residuals are corrected gradually.
         assert 0 <= heap["max_overlap"] < 1e-3
         assert heap["grains"] + heap["grains_lost"] == 100
 
 
-def test_solver_converges_but_for_some_impacts(heaps):
+def test_solver_converges_except_in_some_impacts(heaps):
     for heap in heaps[20] + heaps[100]:
         solver = heap["solver"]
         assert 0 <= solver["unconverged"] < 0.03 * solver["steps"]
-        assert solver["worst_residual"] < 0.5  # of g dt: impacts have 1e3
+        assert solver["worst_residual"] < 0.5  # in g dt; impacts have 1e3
 
 
 def test_a_high_fall_flattens_the_heap(heaps):

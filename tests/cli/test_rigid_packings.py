@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""How densely discs pack at 40 degrees by geometry, relaxed by contact dynamics, and laid down by it. For ./dev validate."""
+"""Solid fractions at 40 degrees of packings by geometry, by geometry and then relaxed by contact dynamics, and deposited by
+contact dynamics. Run by ./dev validate."""
 
 import os
 from pathlib import Path
@@ -38,8 +39,8 @@ def solid_fraction(scene, out, *more):
     return summary(out)["packing"]["solid_fraction"]["mean"]
 
 
-# Bratberg 2003, paper one: a critical-angle packing densifies when it may move, but less than one whose discs move while
-# it grows. 400 discs on 32, five seeds; differences of the same seed, two standard errors from 0.
+# Bratberg 2003, paper one: a critical-angle packing becomes denser when it can relax, but less dense than one whose discs
+# move while it grows. 400 discs on a width of 32, five seeds. Differences for the same seed are two standard errors from 0.
 def test_order_of_densities(tmp_path):
     rows = []
     for seed in range(1, 6):

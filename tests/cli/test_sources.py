@@ -30,13 +30,13 @@ def settings(*pairs):
 
 
 def moved(first, second):
-    """The largest way of any grain between the ends of two runs; the ids must be the same."""
+    """The largest displacement of a grain between the final states of two runs, which must have the same ids."""
     a, b = (datasets(folder / "run.h5") for folder in (first, second))
     assert (a["/grains/id"] == b["/grains/id"]).all()
     return np.abs(a["/grains/position"] - b["/grains/position"]).max()
 
 
-# The scenes of the examples folder, cut short: all that was to come has come, and nothing overlaps deeply.
+# The scenes of the examples folder, shortened: all grains were released, and no overlap is deep.
 @pytest.mark.parametrize(
     ("name", "cuts", "grains"),
     [
@@ -53,7 +53,7 @@ def test_examples(lab, name, cuts, grains):
     assert result["max_overlap"] < 0.1
 
 
-# Grains above the apex of a heap are let go from 3 above its top; from a fixed height of 3 the heap would bury it.
+# The opening stays 3 above the apex of the heap; the heap would bury an opening at the fixed height 3.
 def test_opening_above_the_apex_is_never_buried(lab):
     cuts = settings("source.count=150", "source.rate=2", "stop.time=150", "source.half_width=0.5")
     out = example(lab, "pour-above-apex", *cuts)
@@ -66,8 +66,8 @@ def test_opening_above_the_apex_is_never_buried(lab):
     assert "the source is buried: grain" in result.stderr and "finds no room at height 3" in result.stderr
 
 
-# Shares by mass of 800 grains: 0.5 within 0.05 (4 standard errors: the coarse ones, about 60, count). The large ones
-# lie outside: segregation on the flanks.
+# The fractions by mass of 800 grains are 0.5 within 0.05 (4 standard errors, given by the about 60 large grains). Large
+# grains lie farther outside: segregation on the flanks.
 def test_species(lab):
     grains = Grains(example(lab, "species", *settings("stop.time=225", "base.half_width=80", "box.half_width=100")) / "run.h5")
     coarse = grains.moving("material") == 1
@@ -83,7 +83,7 @@ def test_species(lab):
     assert np.median(out[coarse]) > 1.2 * np.median(out[~coarse])
 
 
-# A poured heap rests on the deposited base: no grain is below it, none is lost in the periodic box.
+# A poured heap rests on the deposited base: no grain is below it, and none is lost in the periodic box.
 def test_deposited_base_holds_everything(lab):
     out = example(lab, "deposited-base", *settings("source.count=150", "stop.time=60"))
     grains = Grains(out / "run.h5")
@@ -102,7 +102,7 @@ RAIN = (
 )
 
 
-# Same scene and seed, same bits, for any number of threads; another seed, other grains.
+# The same scene and seed give the same bits for any number of threads; another seed gives other grains.
 def test_threads_and_seeds(lab):
     one = lab.run(RAIN, "--threads", "1", out="one")
     for threads in (2, 3):
@@ -111,8 +111,8 @@ def test_threads_and_seeds(lab):
     assert (Grains(one / "run.h5").moving("radius")[:5] != Grains(other / "run.h5").moving("radius")[:5]).all()
 
 
-# Stopped while it rains and taken up again: the bits of a run that was never stopped.
-def test_rain_goes_on_after_a_stop(lab):
+# A run stopped during the rain and resumed has the bits of a run that was never stopped.
+def test_rain_resumes_after_a_stop(lab):
     scene = RAIN.replace("time = 12", "time = 40").replace("count = 200", "count = 900") + "[output]\nframes = 3\n"
     whole = lab.run(scene, out="whole")
     process = subprocess.Popen([PROGRAM, "run", "scene.toml", "--out", "cut", "--quiet"], cwd=lab.path)
@@ -146,7 +146,7 @@ def test_file_equals_placed_grains(lab):
     assert (other / "start.csv").read_text() == table
 
 
-# What a run exports, a table or a LAMMPS dump of several moments, can be started from.
+# A run can start from an export: a table, or a LAMMPS dump with several snapshots.
 @pytest.mark.parametrize(("format", "name"), [("csv", "grains.csv"), ("ovito", "grains.dump")])
 def test_start_from_an_export(lab, heap, format, name):
     exported = lab("export", heap, "--to", format, "--out", "export")
@@ -161,7 +161,7 @@ def test_start_from_an_export(lab, heap, format, name):
     assert (out / f"start{found[0].suffix}").read_bytes() == found[0].read_bytes()
 
 
-# A run folder holds what it started from: it can be run again, analysed and moved, with the file gone.
+# A run folder contains its start: it can be run again, analysed and moved after the file was removed.
 def test_run_folder_keeps_what_it_started_from(lab):
     (lab.path / "grains.csv").write_text("x,y,radius\n0,0.5,0.5\n1.1,0.5,0.5\n")
     out = lab.run("[start]\nfrom = 'grains.csv'\n[base]\nkind = 'plane'\n[stop]\ntime = 3\n")
@@ -183,8 +183,8 @@ def start_from(heap, *, friction=0.5, source="", more="", at_rest="true", law=""
     )
 
 
-# A heap at rest goes on with the same parameters as if nothing had happened: the contacts remember their displacements.
-# Without their memory the grains would move by some hundredths, as another tangential law shows.
+# A heap at rest that starts a new run with the same parameters stays at rest, because contacts keep their slip
+# displacements. Without them the grains would move by some hundredths, as another tangential law shows.
 def test_same_parameters_give_no_kick(lab, heap):
     out = lab.run(start_from(heap))
     found = datasets(out / "run.h5")
@@ -194,8 +194,8 @@ def test_same_parameters_give_no_kick(lab, heap):
     assert moved(heap, lab.run(start_from(heap, law=law), out="other")) > 1e-3
 
 
-# More friction alone moves nothing much; a heap of unequal discs without any comes down, where one of equal discs on a
-# row of their kind would stand.
+# More friction hardly moves a heap. Without friction a heap of unequal discs collapses; a heap of equal discs on a row of
+# the same discs would stand.
 def test_changed_friction(lab):
     scene = (
         HOOKE + "[grains]\npolydispersity = 0.3\n[base]\nkind = 'row'\nhalf_width = 12\n[source]\nkind = 'pour'\n"
@@ -210,7 +210,7 @@ def test_changed_friction(lab):
     assert fallen.moving("position")[:, 1].mean() < 0.9 * kept.moving("position")[:, 1].mean()
 
 
-# Velocities come along unless they are left behind; the base does, and what is poured on top has ids of its own.
+# Velocities are kept unless the scene drops them. The base is kept, and grains poured on top get new ids.
 def test_pour_on_top_of_a_run(lab, heap):
     source = "[source]\nkind = 'pour'\ncount = 10\nrate = 5\nheight = 4\nheight_above = 'apex'\nhalf_width = 1\n"
     out = lab.run(start_from(heap, source=source))
@@ -220,7 +220,7 @@ def test_pour_on_top_of_a_run(lab, heap):
     assert summary(out)["grains"] + summary(out)["grains_lost"] == (before.fixed == 0).sum() + 10
 
 
-def test_velocities_come_along(lab):
+def test_velocities_are_kept(lab):
     scene = "[[grain]]\nposition = [0.0, 50.0]\nvelocity = [1.0, 0.0]\nspin = 2.0\n[stop]\ntime = 2\n"
     first = lab.run(scene, out="first")
     assert Grains(lab.run("[start]\nfrom = 'first'\n[stop]\ntime = 2\n", out="on") / "run.h5").position[0, 0] == (
@@ -230,7 +230,7 @@ def test_velocities_come_along(lab):
     assert grains.position[0, 0] == Grains(first / "run.h5").position[0, 0] and grains.spin[0] == 0.0
 
 
-# The memory of contacts with walls goes by the names of the walls.
+# Slip displacements of contacts with walls are assigned by the names of the walls.
 def test_walls_by_name(lab):
     base = (
         HOOKE + "[[plane]]\nname = 'slope'\npoint = [0.0, 0.0]\nnormal = [-0.17, 1.0]\n[[plane]]\nname = 'stop'\n"
@@ -267,7 +267,7 @@ def test_refused_starts(lab, heap):
     shutil.copy(heap / "run.h5", damaged / "run.h5")
     with changed(damaged / "run.h5") as file:
         file["grains/radius"][3] = -1.0
-    refused("[start]\nfrom = 'damaged'\n[stop]\ntime = 1\n", "what is said of grain 3 makes no sense")
+    refused("[start]\nfrom = 'damaged'\n[stop]\ntime = 1\n", "the data of grain 3 are invalid")
 
 
 @pytest.mark.parametrize(
@@ -281,7 +281,7 @@ def test_refused_starts(lab, heap):
         ("[base]\nkind = 'deposited'\nhalf_width = 20\nroughness = 0.7\n", "base.roughness = 0.7: must be at most 0.5"),
         ("[base]\nkind = 'deposited'\nhalf_width = 0.4\n", "base.half_width = 0.4: too narrow for a deposited base"),
         ("[[species]]\nsizes = { kind = 'uniform', low = 2, high = 1 }\n", "species[0].sizes.high = 1: must be >= low = 2"),
-        ("[[species]]\nsizes = { kind = 'normal', mean = 1, deviation = 0.5 }\n", "its default, -0.5, will not do: must be > 0"),
+        ("[[species]]\nsizes = { kind = 'normal', mean = 1, deviation = 0.5 }\n", "its default is -0.5: must be > 0"),
         ("[[species]]\nsizes = { kind = 'normal', mean = 1, deviation = 0.1, low = 1.9, high = 2 }\n", "of the distribution"),
         ("[[species]]\nsizes = { kind = 'table', diameters = [1, 2], weights = [1] }\n", "has 1 numbers; must have 2"),
         ("[[species]]\nsizes = { kind = 'table', diameters = [1, 2], weights = [0, 0] }\n", "must have a finite sum > 0"),

@@ -32,7 +32,7 @@ ANGLE = "angle_of_repose_deg.mean"
 
 @pytest.fixture
 def sweep(lab):
-    """A laboratory with a sweep of six small heaps."""
+    """A folder with a sweep of six small heaps."""
     lab.scene(HEAP, "heap.toml")
     lab.scene(SWEEP, "sweep.toml")
     return lab
@@ -81,7 +81,7 @@ def test_ensemble_profile_is_the_mean_of_the_members_profiles(sweep):
         assert file["values"][ANGLE].shape == (6,)
 
 
-def test_a_claim_is_judged_by_two_standard_errors(sweep):
+def test_a_verdict_needs_two_standard_errors(sweep):
     run_sweep(sweep)
     (claim,) = rows_of(sweep.path / "out/claims.csv")
     table = {row["point"]: row for row in rows_of(sweep.path / "out/table.csv")}
@@ -93,7 +93,7 @@ def test_a_claim_is_judged_by_two_standard_errors(sweep):
     assert claim["verdict"] == expected
 
 
-def test_a_member_is_what_run_makes_of_its_scene(sweep):
+def test_a_member_equals_a_run_of_its_scene(sweep):
     run_sweep(sweep)
     member = sweep.path / "out/members/friction=0.5/seed-2"
     again = sweep("run", str(member / "scene.toml"), "--out", "again", "--quiet")
@@ -103,7 +103,7 @@ def test_a_member_is_what_run_makes_of_its_scene(sweep):
             assert a[f"grains/{name}"][()].tobytes() == b[f"grains/{name}"][()].tobytes()
 
 
-def test_the_tables_do_not_depend_on_how_many_run_side_by_side(sweep):
+def test_the_tables_do_not_depend_on_the_number_of_parallel_members(sweep):
     run_sweep(sweep, "--threads", "1", out="one")
     run_sweep(sweep, "--threads", "3", out="three")
     assert contents(sweep.path / "one") == contents(sweep.path / "three")
@@ -132,8 +132,8 @@ def test_killed_at_ten_random_moments_the_table_is_the_same(sweep):
 
 
 @pytest.mark.parametrize("track_is_sound", [True, False])
-def test_a_member_that_was_cut_off_goes_on_from_its_checkpoint(sweep, track_is_sound):
-    """Frames from before are not written again, unless the member has to start anew since a part of it is damaged."""
+def test_a_killed_member_resumes_from_its_checkpoint(sweep, track_is_sound):
+    """Existing frames are not written again, unless the member must restart because a part of it is damaged."""
     sweep.scene(HEAP.replace("count = 40", "count = 200") + "[output]\ntrack = 1\nframes = 10\ncheckpoint = 1e-3\n",
                 "heap.toml")
     sweep.scene(SWEEP.replace("seeds = 3", "seeds = 1"), "sweep.toml")
@@ -169,7 +169,7 @@ def test_a_finished_member_is_not_run_again(sweep):
     assert contents(sweep.path / "out") == before
 
 
-def test_the_folder_goes_on_by_itself(sweep):
+def test_the_folder_alone_is_enough_to_resume(sweep):
     run_sweep(sweep)
     before = contents(sweep.path / "out")
     sweep.path.joinpath("heap.toml").unlink()
@@ -202,7 +202,7 @@ def test_a_failed_member_is_reported_and_does_not_stop_the_others(sweep):
     assert "6 members have ended before" in run_sweep(sweep, expect=1).stdout
 
 
-def test_ctrl_c_ends_in_good_order_and_the_sweep_goes_on(sweep):
+def test_ctrl_c_ends_in_good_order_and_the_sweep_resumes(sweep):
     sweep.scene(SWEEP.replace("seeds = 3", "seeds = 40"), "sweep.toml")
     process = subprocess.Popen([PROGRAM, "sweep", "sweep.toml", "--out", "out"], cwd=sweep.path, stdout=subprocess.PIPE)
     for line in process.stdout:
@@ -252,7 +252,7 @@ def test_analyse_of_a_sweep_makes_the_same_tables(sweep):
     "change, parts",
     [
         (("seeds = 3", "seeds = 0"), ["sweep.toml:3: seeds = 0: must be a whole number from 1"]),
-        (("seeds = 3", "seeds = [1, 1]"), ["sweep.toml:3: seeds: 1: is there twice"]),
+        (("seeds = 3", "seeds = [1, 1]"), ["sweep.toml:3: seeds: 1: is listed twice"]),
         (("seeds = 3", ""), ["seeds: missing"]),
         (("seeds = 3", "sedes = 3"), ["sedes: unknown key; known here:"]),
         (('scene = "heap.toml"', 'scene = "nothing.toml"'), ["nothing.toml: cannot read: No such file"]),
@@ -282,7 +282,7 @@ def test_all_problems_at_once(sweep):
     assert len(message.splitlines()) == len(set(message.splitlines()))
 
 
-def test_a_folder_with_something_else_is_left_alone(sweep):
+def test_a_folder_with_other_files_is_not_changed(sweep):
     (sweep.path / "out").mkdir()
     (sweep.path / "out/precious.txt").write_text("mine")
     sweep.refused("sweep", "sweep.toml", "--out", "out", parts=["out: folder is not empty and holds no sweep"])
@@ -304,7 +304,7 @@ def test_more_seeds_add_members_to_a_finished_sweep(sweep):
     assert [row["finished"] for row in rows_of(sweep.path / "out/table.csv")] == ["4", "4"]
 
 
-def test_check_writes_nothing(sweep):
+def test_check_writes_no_file(sweep):
     result = sweep("sweep", "sweep.toml", "--out", "out", "--check")
     assert result.returncode == 0 and "2 points with 3 seeds each" in result.stdout
     assert not (sweep.path / "out").exists()

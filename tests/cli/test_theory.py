@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""`repose theory` from outside: its list, tables, refusals, and that Python has the same numbers to the bit."""
+"""`repose theory` from outside: its list, its tables, refused settings, and the same numbers in Python to the bit."""
 
 import csv
 import json
@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from conftest import PROGRAM, repose
 
-# What a model needs beside its defaults.
+# Parameters that a model needs beside its defaults.
 GIVEN = {"janssen-fit": ["file={table}", "mass_per_height=1"]}
 TABLE = "height,apparent_mass\n1,0.6\n2,0.9\n3,0.95\n4,1.1\n"
 
@@ -58,7 +58,7 @@ def test_every_model_has_a_table(settings):
 
 
 def in_python(code, **given):
-    """What a program in Python prints as JSON, with the package on its path."""
+    """The JSON output of a Python program with the package on its path."""
     root = Path(__file__).resolve().parents[2]
     path = f"{Path(PROGRAM).resolve().parent / 'python'}:{root / 'python'}"
     out = subprocess.run(
@@ -102,7 +102,7 @@ def test_python_has_the_same_numbers_to_the_bit(settings):
             ], (model, name)
 
 
-def test_python_says_what_is_wrong():
+def test_python_reports_problems():
     code = """
 import json
 from repose import theory

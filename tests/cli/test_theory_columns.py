@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Models of columns, local stress and packings through the program: numbers of other derivations, and refusals."""
+"""Models of columns, local stress and packings through the program: numbers from other derivations, and refused input."""
 
 import csv
 import math
@@ -69,7 +69,7 @@ def test_janssen_discrete():
 
 
 def test_fit_of_the_discrete_model(tmp_path):
-    """Its own table, the names changed, with a column that the fit leaves alone."""
+    """The table of the discrete model with changed names, and with a column that the fit ignores."""
     for direction, ratio in (("rest", 0.91161), ("pushed-up", 1.11572)):
         text = repose("theory", "janssen-discrete", "--set", f"direction={direction}").stdout
         lines = text.replace("layer,force", "height,apparent_mass").splitlines()
@@ -85,7 +85,7 @@ def test_fit_of_the_discrete_model(tmp_path):
 
 
 def test_fit_of_the_example():
-    """One length does not describe the cells, two do, and the true lengths lie within two errors."""
+    """One length does not describe the cells, two lengths do, and the true lengths lie within two errors."""
     _, two = asked("janssen-fit", file=COLUMN, mass_per_height=3)
     _, one = asked("janssen-fit", file=COLUMN, mass_per_height=3, parameters=1)
     assert abs(two["lambda_1"] - 5) < 2 * two["lambda_1_error"]
@@ -142,9 +142,9 @@ def refused(model, *settings):
         ("janssen", ["dimension=4"], "janssen: dimension = 4: must be from 2 to 3"),
         ("janssen", ["friction=-0.1"], "janssen: friction = -0.1: must be >= 0"),
         ("janssen", ["direction=down"], "janssen: direction = down: must be rest | pushed-up"),
-        ("janssen", ["direction=pushed-up", "height=701"], "janssen: height = 701: is 701 screening lengths (1), must be <= 700"),
+        ("janssen", ["direction=pushed-up", "height=701"], "janssen: height = 701: is 701 screening lengths (1); must be <= 700"),
         ("janssen-discrete", ["direction=pushed-up", "k_mu=0.5"], "janssen-discrete: k_mu = 0.5: must be < 0.5 pushed up"),
-        ("janssen-discrete", ["direction=pushed-up", "layers=5000"], "janssen-discrete: layers = 5000: are 1115.72 times lambda_2"),
+        ("janssen-discrete", ["direction=pushed-up", "layers=5000"], "janssen-discrete: layers = 5000: is 1115.72 times lambda_2"),
         ("janssen-discrete", ["layers=0"], "janssen-discrete: layers = 0: must be from 1 to"),
         ("janssen-fit", ["file=none.csv", "mass_per_height=1"], "none.csv: no such file"),
         ("janssen-fit", [f"file={COLUMN}"], "janssen-fit: mass_per_height: must be given"),
@@ -168,7 +168,7 @@ def test_refusals(model, settings, complaint):
         ("height,apparent_mass\n1,2\n-2,3\n", ":3: height = -2: must be >= 0 (L)"),
         ("height,apparent_mass,apparent_mass_error\n1,2,1\n2,3,0\n", ":3: apparent_mass_error = 0: must be > 0 (M)"),
         ("height,apparent_mass\n1,2\n2\n", ":3: has 1 cell, the line of names has 2"),
-        ("height,apparent_mass\n1,2\n", ": has 1 row, 2 needed for as many parameters"),
+        ("height,apparent_mass\n1,2\n", ": has 1 row; 2 parameters need as many"),
         ("", ": has no line of names"),
         ("height,apparent_mass\n1,1\n2,2\n3,3\n", "janssen-fit: the data do not determine lambda_2: a straight line"),
     ],
@@ -180,8 +180,8 @@ def test_refused_files(tmp_path, text, complaint):
     assert line.removeprefix(str(file)).startswith(complaint), line
 
 
-def test_pictures_of_the_corners(tmp_path):
-    """No warning and a picture where a curve is a point, a limit infinite, or a dimension left out."""
+def test_pictures_of_limiting_cases(tmp_path):
+    """A picture without warnings if a curve is a point, a limit is infinite, or a dimension is left out."""
     corners = [
         ("janssen", ["friction=0"]),
         ("janssen", ["direction=pushed-up", "dimension=2", "overload=2"]),

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The q-model, and the response to a point load by theory and by simulation, through the program."""
+"""The q-model, and the response to a point load in theory and simulation, through the program."""
 
 import csv
 import io
@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from conftest import repose
 
-# Equal discs in the hollows of a base row: 6 rows, spaced so that none touch along a row.
+# Equal discs in the hollows of a base row: 6 rows, with gaps so that discs of a row do not touch.
 LATTICE = """[contact]
 friction = 0.0
 normal = { law = "hooke", stiffness = 1e5, damping = 0.5 }
@@ -53,7 +53,7 @@ set = {{ load = [], {FRICTION} }}
 name = "rough-loaded"
 set = {{ {FRICTION} }}
 """
-H = 6 * math.sqrt(1.0 - 0.51**2)  # of the loaded disc above the base centres, but for overlaps
+H = 6 * math.sqrt(1.0 - 0.51**2)  # height of the loaded disc above the base centres, without overlaps
 
 
 def table_of(text):
@@ -89,7 +89,8 @@ def test_a_lattice_without_friction_carries_a_load_down_two_rays(lattice):
     assert more.sum() == pytest.approx(1.0, abs=1e-6)
     rays = np.isclose(np.abs(x), 3 * 1.02)  # six rows of half a spacing
     assert rays.sum() == 2
-    # Half of the load each, and nothing elsewhere: but for the overlaps, 6e-5 at the floor, of order of 2 % at most.
+    # Each ray carries half of the load, and nothing is carried elsewhere, up to effects of the overlaps (6e-5 at the
+    # floor) of at most about 2 %.
     assert more[rays] == pytest.approx(0.5, abs=0.01)
     assert np.abs(more[~rays]).max() < 0.01
 
@@ -121,7 +122,7 @@ def test_the_response_of_a_sweep_is_the_paired_difference(lattice):
             disc = np.argmin(np.abs(x - float(row["x_over_h"]) * h))
             assert float(row["response"]) == pytest.approx(more[disc] * h / 1.02 / force, abs=1e-9)
     loaded, doubled = (np.array([float(r["response"]) for r in rows if r["point"] == p]) for p in ("loaded", "doubled"))
-    assert np.abs(loaded - doubled).max() < 0.01 * loaded.max()  # a small load: linear
+    assert np.abs(loaded - doubled).max() < 0.01 * loaded.max()  # a small load: the response is linear
 
 
 def test_the_response_beside_theory(lattice):
@@ -140,7 +141,7 @@ def test_the_response_beside_theory(lattice):
         for row in rows:
             inside = np.abs(curve["x_over_h"] - float(row["x_over_h"])) < 0.5 * facts["bin"]
             assert float(row[name]) == pytest.approx(curve[name][inside].mean(), abs=tolerance), name
-    # The rays of OSL are the simulation's.
+    # The rays of OSL are those of the simulation.
     osl = np.array([float(row["osl"]) for row in rows])
     response = np.array([float(row["response"]) for row in rows])
     assert np.abs(osl - response).max() < 0.03 * osl.max()
@@ -153,7 +154,7 @@ def test_q_model_variance_and_conservation_through_the_program():
         table = theory("q-model", output="variance", width=40, layers=60, runs=400, edges=edges, seed=5)
         off = np.abs(table["variance"] - table["exact"])[1:] / table["variance_error"][1:]
         assert off.max() < 4.0 and off.max() > 0.2
-    # The second layer by hand: two fractions of one grain each, Var = 2/12 over the mean^2 of 4.
+    # The second layer by hand: two fractions of one grain each, variance 2/12 over the mean^2 of 4.
     table = theory("q-model", output="variance", width=10, layers=2)
     assert table["exact"] == pytest.approx([0.0, 2.0 / 12.0 / 4.0], abs=1e-15)
     table = theory("q-model", bins=100, largest=20, runs=5)

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Base stresses under piles, through the program: tables, their integrals, what is refused, pictures."""
+"""Base stresses under piles through the program: tables, their integrals, refused input, pictures."""
 
 import numpy as np
 import pytest
 
 
 def table(lab, model, *settings):
-    """Columns of what `repose theory` prints, and its numbers."""
+    """The columns and numbers that `repose theory` prints."""
     result = lab("theory", model, *(word for setting in settings for word in ("--set", setting)), "--csv", "-")
     assert result.returncode == 0, result.stderr
     lines = result.stdout.splitlines()
@@ -29,7 +29,7 @@ def table(lab, model, *settings):
         (("slope_deg=60", "base_count=44"), 990),
     ],
 )
-def test_lattice_pile_weighs_its_discs(lab, settings, discs):
+def test_lattice_pile_carries_the_weight_of_its_discs(lab, settings, discs):
     columns, numbers = table(lab, "pile-lattice", *settings)
     assert list(columns) == ["x_over_b", "normal", "shear"]
     assert numbers["discs"] == numbers["weight"] == discs
@@ -42,7 +42,7 @@ def test_lattice_pile_weighs_its_discs(lab, settings, discs):
     "model, settings",
     [("pile-continuum", ("slope_deg=37.7",)), ("pile-tent", ()), ("pile-tent", ("upper_slope_deg=12", "break_at=0.2"))],
 )
-def test_continuum_piles_weigh_their_area(lab, model, settings):
+def test_continuum_piles_carry_the_weight_of_their_area(lab, model, settings):
     columns, numbers = table(lab, model, *settings, "points=100001")
     assert list(columns) == ["x_over_b", "normal", "shear"]
     assert columns["normal"].sum() / 100000 == pytest.approx(numbers["weight"], rel=1e-8)  # trapezia across kinks
@@ -57,7 +57,7 @@ def test_tent_of_the_paper_dips(lab):
 
 
 @pytest.mark.parametrize("model", ["fpa", "bcc", "ife"])
-def test_osl_base_weighs_the_pile(lab, model):
+def test_osl_base_carries_the_weight_of_the_pile(lab, model):
     columns, numbers = table(lab, "osl", f"model={model}", "angle_deg=33.3", "points=100001")
     assert list(columns) == ["x_over_b", "normal", "shear", "horizontal", "yield_margin"]
     width = 2.0 / np.tan(np.radians(33.3))
@@ -116,7 +116,7 @@ def test_osl_field_is_in_equilibrium(lab):
         ("pile-tent", ("break_at=0.51",), "break_at = 0.51: must be > 0 and <= 0.5 (B)"),
         ("osl", ("model=arch",), "model = arch: must be fpa | bcc | ife | custom"),
         ("osl", ("slope_deg=31",), "slope_deg = 31: must be <= angle_deg = 30"),
-        ("osl", ("eta=1",), "eta = 1: only model = custom takes it"),
+        ("osl", ("eta=1",), "eta = 1: only for model = custom"),
         ("osl", ("model=custom", "eta=1"), "mu: must be given with model = custom"),
         ("osl", ("model=custom", "mu=0", "eta=-1"), "eta = -1: must be > 0"),
         ("osl", ("model=custom", "mu=3", "eta=1"), "mu = 3, eta = 1: 1 - mu T - eta T^2 = -1.06538 must be > 0"),

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs that go wrong or are stopped: what is said, what is left."""
+"""Runs that fail or are stopped: their messages and the files that they leave."""
 
 import json
 import os
@@ -47,7 +47,7 @@ time = 5
 
 @pytest.mark.parametrize("second", ["0.0, 0.0", "1e-300, 0.0", "1e-9, 0.0"])
 def test_grains_at_the_same_place(lab, second):
-    """No direction, no finite force: still a message and a readable run."""
+    """Without a direction there is no finite force: the program still reports it and leaves a readable run."""
     lab.scene(f"[[grain]]\nposition = [0.0, 0.0]\n[[grain]]\nposition = [{second}]\n[stop]\ntime = 5\n")
     result = lab("run", "scene.toml", "--out", "out", "--quiet")
     assert result.returncode == 1, f"exit {result.returncode}: {result.stderr}"
@@ -57,7 +57,7 @@ def test_grains_at_the_same_place(lab, second):
 
 
 def test_fixed_grains_may_overlap(lab):
-    """A wall of fixed grains placed close together is a wall, not an explosion."""
+    """Fixed grains placed close together make a wall and do not explode."""
     text = "".join(f"[[grain]]\nposition = [{0.2 * k}, 0.0]\nfixed = true\n" for k in range(-10, 11))
     lab.run(text + "[[grain]]\nposition = [0.1, 1.5]\n[stop]\ntime = 5\n")
 
@@ -69,7 +69,7 @@ def test_buried_source(lab):
     assert text_attribute(lab.path / "out/run.h5", "status") == "failed"
 
 
-def test_failure_is_not_called_a_success(lab):
+def test_a_failure_is_not_reported_as_success(lab):
     lab.scene("[[grain]]\nposition = [0.0, 0.0]\n[[grain]]\nposition = [0.05, 0.0]\n[stop]\ntime = 5\n")
     result = lab("run", "scene.toml", "--out", "out")
     assert result.returncode == 1 and "stopped  " not in result.stdout and result.stderr.strip()
@@ -118,7 +118,7 @@ def test_interrupt_does_not_wait_for_the_next_observation(lab):
 
 
 def test_killed_at_any_time_leaves_a_readable_run(lab):
-    """kill -9 in the middle of writing: run.h5 and every frame it names open."""
+    """After kill -9 during writing, run.h5 and every frame that it names can be opened."""
     lab.scene(LONG.replace("frames = 20", "frames = 1"))
     for n, wait in enumerate((0.05, 0.11, 0.17, 0.23, 0.31)):
         out = lab.path / f"out{n}"
@@ -144,8 +144,8 @@ def test_run_again_over_a_killed_run(lab):
 
 
 @pytest.mark.skipif(not os.path.exists("/dev/full"), reason="no /dev/full here")
-def test_nobody_reads_what_is_printed(lab):
-    """Standard output on a full disk must not cost the run its results."""
+def test_full_standard_output(lab):
+    """A full disk behind standard output must not cost the run its results."""
     lab.scene(HEAP)
     with open("/dev/full", "w") as full:
         result = subprocess.run([PROGRAM, "run", "scene.toml", "--out", "out"], cwd=lab.path, stdout=full,

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-// What the soft method must do with any law, in 2D and 3D.
+// Contracts of the soft method with any law, in 2D and 3D.
 
 namespace repose {
 namespace {
@@ -33,8 +33,8 @@ Vec<3> angular(const Grain<3>& g) {
   return cross(g.position, g.velocity) * g.mass + g.rim_velocity * (0.4 * g.mass * g.radius);
 }
 
-// Momentum and angular momentum of an isolated cluster are kept to rounding: 3000 steps of forces of order 10 leave
-// less than 1e-12.
+// Momentum and angular momentum of an isolated cluster are conserved to rounding: 3000 steps with forces of order 10
+// change them by less than 1e-12.
 template <int D, class Law>
 void check_momenta(const Law& law) {
   SoftWorld<D, std::decay_t<decltype(law)>> world(law, isolated<D>(1e-3));
@@ -74,7 +74,7 @@ void check_momenta(const Law& law) {
 TEST(SoftContract, KeepsMomenta2D) {
   testing::for_all_laws([](const auto& law) { check_momenta<2>(law); });
 }
-// In 3D with each law once or so.
+// In 3D each law is tried about once.
 TEST(SoftContract, KeepsMomenta3D) {
   check_momenta<3>(PairLaw{Continuous::make(36, 1.2, 0.5, 1.0), Cumulative{0.5, 1.214}});
   check_momenta<3>(PairLaw{Hooke{2e4, 0.3}, Linear{0.5, 6e3, 0.1}});
@@ -82,7 +82,8 @@ TEST(SoftContract, KeepsMomenta3D) {
       any_pair_law({Hertz{1e5, 0.3}, Mindlin{0.5, 0.8, 0.1}, RollingSpring{0.1, 500.0, 0.3}, ConstantCohesion{0.4}}));
 }
 
-// A sphere on a sphere rests where a disc does; on a plane a sliding sphere ends rolling at 5/7 of its speed.
+// A sphere on a sphere rests at the height of a disc on a disc. On a wall a sliding sphere ends rolling at 5/7 of its
+// speed.
 TEST(SoftContract, SpheresInThreeDimensions) {
   auto settings = isolated<3>(1e-3);
   settings.gravity = {{0.0, 0.0, -1.0}};
@@ -120,8 +121,8 @@ TEST(SoftContract, LawsByMaterial) {
   EXPECT_NEAR(world[on_hard].position[1], 1.0 - 1.0 / 4000.0, 1e-9);
 }
 
-// Periodic x: a pair across the boundary is the pair shifted to the middle. The shift changes positions by rounding,
-// 1e-15, which the steep start of the tangential dashpot makes larger, though not a millionth.
+// In a periodic box a pair across the boundary moves like the same pair in the middle. The shift changes positions by
+// rounding, 1e-15, which the steep start of the tangential dashpot amplifies, but to less than a millionth.
 TEST(SoftContract, PeriodicPairIsAnyOtherPair) {
   const auto run = [](double shift) {
     auto settings = isolated<2>(1e-3);
@@ -138,7 +139,7 @@ TEST(SoftContract, PeriodicPairIsAnyOtherPair) {
   const auto middle = run(0.0);
   const auto across = run(5.0);
   for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(across[k], middle[k], 1e-7);
-  EXPECT_LT(middle[0], 0.5);  // they met
+  EXPECT_LT(middle[0], 0.5);  // they have collided
 }
 
 TEST(SoftContract, TooFastGrainsAreReported) {
@@ -154,8 +155,8 @@ TEST(SoftContract, TooFastGrainsAreReported) {
   EXPECT_TRUE(nan.advance(10).trouble);
 }
 
-// A disc thrown at a fixed one at any angle, grazing included, leaves with no more energy than it came with. The
-// tolerance of 1e-5 is that of the integration (5e-6 for an undamped impact at the step).
+// A disc thrown at a fixed one at any angle, grazing included, gains no energy. The tolerance of 1e-5 is that of the
+// integration (5e-6 for an undamped impact at this step).
 TEST(SoftContract, NoEnergyFromAnImpactAtAnyAngle) {
   for_every_pair_law([](const auto& law) {
     for (int degrees = 0; degrees < 90; degrees += 3) {

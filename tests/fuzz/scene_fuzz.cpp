@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Feeds the readers of scenes and sweeps with whatever libFuzzer thinks of (./dev validate). The input is the text of a
-// scene; lines after a line "#set" are settings as of --set; what follows "#sweep" instead is a sweep file.
-// Half of the changes put an odd value where a value stands: changes of bytes alone hardly ever make one.
+// Feeds the readers of scenes and sweeps with inputs from libFuzzer (./dev validate). The input is the text of a scene.
+// Lines after a line "#set" are settings like those of --set; the text after a line "#sweep" is a sweep file. Half of
+// the mutations replace a value by an odd one, because mutations of bytes alone hardly ever make one.
 #include "repose/core/errors.hpp"
 #include "repose/scene/read.hpp"
 #include "repose/scene/write.hpp"
-#include "repose/sweep/sweep_plan.hpp"
+#include "repose/sweep/plan.hpp"
 
 #include <algorithm>
 #include <array>
@@ -30,7 +30,7 @@ using namespace repose;
   std::abort();
 }
 
-/// Every problem is one line that says where: in the file or folder of that name, at an absolute path, or in a setting.
+/// Every problem must be one line that names its place: a file or folder, an absolute path, or a setting.
 void check_problems(const InputError& error, const std::string& name) {
   if (error.problems().empty()) complain("a refusal without a reason", "");
   for (const auto& line : error.problems()) {
@@ -39,7 +39,7 @@ void check_problems(const InputError& error, const std::string& name) {
   }
 }
 
-/// What is accepted can be written, read again and is then the same.
+/// An accepted scene can be written and read again, and is then the same.
 void check_scene(const std::string& text, const Overrides& overrides) {
   std::string written;
   try {
@@ -104,7 +104,7 @@ constexpr std::array odd_values = {"0",
                                    "2026-01-01",
                                    "-9223372036854775808"};
 
-/// The text with another value behind one of its equals signs.
+/// The text with another value after one of its equals signs.
 std::string with_odd_value(const std::string& text, std::minstd_rand& random) {
   std::vector<std::size_t> places;
   for (std::size_t k = 0; k < text.size(); ++k) {
@@ -113,7 +113,8 @@ std::string with_odd_value(const std::string& text, std::minstd_rand& random) {
   if (places.empty()) return text;
   const auto begin = places[random() % places.size()];
   const auto value = text.find_first_not_of(' ', begin);
-  // To the end of a word, a number or a short text; of a list or table only the first, so that all comes about.
+  // The value ends with a word, a number or a short text. In a list or table only the first part is replaced, so that
+  // broken ones occur too.
   const auto end = std::min(text.find_first_of(" ,}]\n", value), text.size());
   return text.substr(0, begin) + " " + odd_values[random() % odd_values.size()] + text.substr(end);
 }

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-// The law of docs/how-to/add-a-law.md, taken out of the page and put into the registry by CMakeLists.txt here.
+// Tests the law of docs/how-to/add-a-law.md. CMakeLists.txt here takes it from the page and puts it into the registry.
 
 namespace repose {
 namespace {
@@ -40,8 +40,8 @@ TEST(HowTo, SceneKnowsTheLaw) {
   }
 }
 
-// T = 2 d_max / v * sqrt(pi) Gamma(1 / (p + 1)) / ((p + 1) Gamma(1 / (p + 1) + 1/2)). The end of the contact is known
-// to a step: 3e-3 of its duration.
+// T = 2 d_max / v * sqrt(pi) Gamma(1 / (p + 1)) / ((p + 1) Gamma(1 / (p + 1) + 1/2)). The end of the contact is
+// accurate to a step, 3e-3 of its duration.
 TEST(HowTo, ContactTimeAndRestitution) {
   for (const double p : {1.0, 1.5, 2.0, 2.5}) {
     const Power law{2e4, p, 0.0};
@@ -59,7 +59,7 @@ TEST(HowTo, ContactTimeAndRestitution) {
   EXPECT_NEAR(impact.restitution, 0.6, 1e-4);
 }
 
-// Under the method: it rests where k overlap^p is its weight, and keeps momenta.
+// In the soft method a grain rests at the overlap where k overlap^p is its weight.
 TEST(HowTo, RunsInTheGeneralKernel) {
   auto settings = testing::settings_2d(1e-3, 1.0);
   settings.walls = {Wall<2>{.point = {}, .normal = {{0.0, 1.0}}}};

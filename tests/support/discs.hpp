@@ -30,7 +30,7 @@ inline Slab slab_between(double low, double high, const Box<2>& box) {
   return slab;
 }
 
-/// Numbers in [0, 1) in turn.
+/// A sequence of random numbers in [0, 1).
 class Draw {
  public:
   explicit Draw(std::uint64_t seed) : seed_(seed) {}
@@ -56,7 +56,7 @@ inline Discs rows_of_discs(int columns, int rows, double rise, double shift) {
 inline Discs triangular_packing(int columns, int rows) { return rows_of_discs(columns, rows, std::sqrt(0.75), 0.5); }
 inline Discs square_packing(int columns, int rows) { return rows_of_discs(columns, rows, 1.0, 0.0); }
 
-/// Places without any correlation, as centres of discs of diameter 1 that may overlap.
+/// Independent random positions, as centres of discs of diameter 1 that may overlap.
 inline Discs independent_discs(std::size_t count, const Slab& slab, std::uint64_t seed) {
   Draw draw(seed);
   Discs discs;
@@ -67,7 +67,7 @@ inline Discs independent_discs(std::size_t count, const Slab& slab, std::uint64_
   return discs;
 }
 
-/// Discs of diameter 1 that fall along vertical lines at random x and stick where they first touch (critical angle 90
+/// Discs of diameter 1 that fall along vertical lines at random x and stick at the first touch (critical angle 90
 /// degrees), on a base of touching discs; x is periodic. By brute force.
 inline Discs sticking_packing(int columns, std::size_t deposited, std::uint64_t seed) {
   Draw draw(seed);

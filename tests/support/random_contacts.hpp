@@ -13,8 +13,8 @@
 
 namespace repose::contact_dynamics {
 
-/// Contacts of bodies near each other in memory, as in a bed; some bodies are fixed, and one of them, as a floor,
-/// touches many.
+/// Random contacts between bodies near each other in memory, as in a bed. Some bodies are fixed, and one of them, like
+/// a floor, has many contacts.
 inline Problem<2> random_problem(std::size_t bodies, std::size_t contacts, bool rolling, unsigned seed) {
   std::mt19937_64 random(seed);
   const auto number = [&](double from, double to) { return std::uniform_real_distribution(from, to)(random); };

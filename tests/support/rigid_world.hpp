@@ -15,7 +15,7 @@ namespace repose::testing {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A few grains under contact dynamics, for tests that put them where they want. Nominal mass 4 r^2: 1 for radius 1/2.
+/// Grains under contact dynamics at positions that a test chooses. The nominal mass is 4 r^2: 1 for radius 1/2.
 template <int D>
 class RigidWorld {
  public:
@@ -38,7 +38,7 @@ class RigidWorld {
 
   StepReport advance(long steps) {
     Team alone(1);
-    return method.advance(grains, steps, alone);
+    return method.advance(grains, method.time() + static_cast<double>(steps) * method.time_steps().length, alone);
   }
   void refresh() {
     Team alone(1);
@@ -74,7 +74,7 @@ inline ContactDynamicsSettings<2> rigid_2d(double time_step, double gravity,
   return settings;
 }
 
-/// A wall through a point with the grains on the side of its normal.
+/// A wall through a point; the grains are on the side of its normal.
 inline Wall<2> plane(Vec<2> point, Vec<2> normal) {
   Wall<2> wall;
   wall.point = point;
@@ -82,7 +82,7 @@ inline Wall<2> plane(Vec<2> point, Vec<2> normal) {
   return wall;
 }
 
-/// Floor at height 0 and two walls.
+/// A floor at height 0 and two side walls.
 inline std::vector<Wall<2>> open_box(double width) {
   return {plane({{0.0, 0.0}}, {{0.0, 1.0}}), plane({{0.0, 0.0}}, {{1.0, 0.0}}), plane({{width, 0.0}}, {{-1.0, 0.0}})};
 }

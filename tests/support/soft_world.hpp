@@ -6,7 +6,7 @@
 
 namespace repose::testing {
 
-/// A few grains under the soft method, for tests that put them where they want.
+/// Grains under the soft method at positions that a test chooses.
 template <int D, class Law>
 class SoftWorld {
  public:
@@ -15,7 +15,7 @@ class SoftWorld {
   SoftWorld(MaterialTable<Law> laws, SoftSettings<D> settings, int threads = 1)
       : method_(laws, settings), team_(threads) {}
 
-  /// Mass r^2 pi-free: 1 for radius 1/2. Returns the id.
+  /// Adds a grain and returns its id. The mass is 4 r^2: 1 for radius 1/2.
   std::int64_t add(Vec<D> position, Vec<D> velocity = {}, Spin<D> spin = {}, double radius = 0.5, bool fixed = false,
                    std::uint16_t material = 0) {
     Grain<D> grain;
@@ -32,11 +32,14 @@ class SoftWorld {
     return grains.id.back();
   }
 
-  StepReport advance(long steps) { return method_.advance(grains, steps, team_); }
+  StepReport advance(long steps) {
+    const double duration = static_cast<double>(steps) * method_.time_steps().length;
+    return method_.advance(grains, method_.time() + duration, team_);
+  }
   Contacts<D> contacts() const { return method_.contacts(grains); }
   void refresh() { method_.refresh(grains, team_); }
   const Soft<D, Law>& method() const { return method_; }
-  std::vector<Vec<D>> take_wall_impulses() { return method_.taken_wall_impulses(); }
+  std::vector<Vec<D>> take_wall_impulses() { return method_.take_wall_impulses(); }
   void set_loads(const std::vector<Load<D>>& loads) { method_.set_loads(loads); }
   Energy energy() const { return method_.energy(grains); }
 

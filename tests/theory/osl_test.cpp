@@ -333,24 +333,23 @@ std::string complaint(const std::vector<Setting>& settings) {
 
 TEST(Osl, RefusesWhatHasNoSolution) {
   EXPECT_EQ(complaint({{"mu", "1"}, {"eta", "2"}}),
-            "osl: mu = 1: only model = custom takes it; fpa has its own\n"
-            "osl: eta = 2: only model = custom takes it; fpa has its own");
+            "osl: mu = 1: only for model = custom; model = fpa has its own\n"
+            "osl: eta = 2: only for model = custom; model = fpa has its own");
   EXPECT_EQ(complaint({{"model", "custom"}, {"eta", "2"}}), "osl: mu: must be given with model = custom");
   EXPECT_EQ(complaint({{"model", "custom"}, {"mu", "0"}, {"eta", "0"}}), "osl: eta = 0: must be > 0 and <= 1000000");
-  EXPECT_EQ(
-      complaint({{"slope_deg", "31"}}),
-      "osl: slope_deg = 31: must be <= angle_deg = 30, of which the closure is made: no surface of grains without "
-      "cohesion is steeper than the friction angle");
+  EXPECT_EQ(complaint({{"slope_deg", "31"}}),
+            "osl: slope_deg = 31: must be <= angle_deg = 30, which sets the closure: no surface of cohesionless grains "
+            "is steeper than the friction angle");
   EXPECT_NE(complaint({{"model", "custom"}, {"mu", "0"}, {"slope_deg", "31"}}), "none");
   EXPECT_EQ(complaint({{"model", "custom"}, {"mu", "0"}, {"eta", "0.3"}, {"slope_deg", "31"}}), "none");
   EXPECT_EQ(complaint({{"model", "ife"}, {"slope_deg", "29"}}),
-            "osl: slope_deg = 29: must be angle_deg = 30 with model = ife, whose surface is at failure too");
+            "osl: slope_deg = 29: must be angle_deg = 30 with model = ife, whose surface is also at failure");
   EXPECT_EQ(complaint({{"model", "ife"}, {"slope_deg", "30"}}), "none");
   EXPECT_EQ(complaint({{"model", "ife"}, {"angle_deg", "0.09"}}),
-            "osl: angle_deg = 0.09: must be >= 0.1 with model = ife, whose layer at the axis is as thin");
+            "osl: angle_deg = 0.09: must be >= 0.1 with model = ife, which has a layer this thin at the axis");
   EXPECT_EQ(complaint({{"model", "custom"}, {"angle_deg", "45"}, {"mu", "2"}}),
-            "osl: mu = 2: must be < 1/tan(angle_deg) = 1 without eta: yield of a surface at the friction angle gives "
-            "eta = -0.333333, which must be > 0");
+            "osl: mu = 2: must be < 1/tan(angle_deg) = 1 if eta is not given: yield of a surface at the friction angle "
+            "gives eta = -0.333333, which must be > 0");
   EXPECT_EQ(complaint({{"model", "custom"}, {"angle_deg", "45"}, {"mu", "0.5"}, {"eta", "0.75"}}),
             "osl: mu = 0.5, eta = 0.75: 1 - mu T - eta T^2 = -0.25 must be > 0 with T = tan(slope): the "
             "characteristic from the apex leaves the pile");

@@ -15,7 +15,7 @@ namespace {
 
 using testing::SoftWorld;
 
-/// A crowd of grains in a box that falls together; a few fast ones. Returns its state after some time, by id.
+/// The state, by id, of grains in a box after some time. They collapse, and some are fast.
 template <int D, class Law>
 std::vector<double> crowd(const Law& law, int threads, bool periodic, bool synchronised) {
   SoftSettings<D> settings;
@@ -90,8 +90,8 @@ void expect_same(const std::vector<double>& one, const std::vector<double>& many
   for (std::size_t k = 0; k < one.size(); ++k) ASSERT_EQ(one[k], many[k]) << what << ", number " << k;
 }
 
-/// Of every kernel: the fused one of these laws, and the general one, which is its reference, account of energy and
-/// all.
+/// Checks every kernel: the fused one of these laws, and the general one, which is its reference, with and without the
+/// energy budget.
 template <int D, class Normal>
 void check_bits(const Normal& normal, bool periodic, bool synchronised) {
   const Cumulative tangential{0.5, 1.214};
@@ -108,8 +108,8 @@ void check_bits(const Normal& normal, bool periodic, bool synchronised) {
   expect_same(reference, one, "general kernel and fused");
 }
 
-/// A wide periodic layer, so large that pairs across the boundary lie too far apart in memory for the ring.
-/// The layer may be moved along x.
+/// A wide periodic layer, in which pairs across the boundary lie too far apart in memory for the ring. The layer may be
+/// shifted along x.
 std::vector<double> wide_layer(int threads, double along) {
   constexpr int columns = 700;
   constexpr int rows = 50;
@@ -134,7 +134,7 @@ std::vector<double> wide_layer(int threads, double along) {
   Soft<2, Law> method(MaterialTable<Law>(Law{Hooke{2e4, 0.3}, Cumulative{0.5, 1.214}}), settings);
   Team team(threads);
   method.grains_added(grains);
-  method.advance(grains, 30, team);
+  method.advance(grains, 30 * settings.time_step, team);
   std::vector<double> state;
   for (const auto k : by_id(grains)) {
     state.push_back(grains.line[k].velocity[0]);
@@ -147,9 +147,9 @@ std::vector<double> wide_layer(int threads, double along) {
 
 TEST(SoftThreads, SameBitsForFarPairs) {
   const auto one = wide_layer(1, 0.0);
-  // With the boundary elsewhere other pairs are the far ones: the same motion but for rounding, which contacts that
-  // just begin make larger (at most 5e-5 seen, in one grain). A force left out would change the two columns at the
-  // boundary by 0.1: 0.005 in the root mean square of all.
+  // With the boundary elsewhere, other pairs are far pairs. The motion is the same except for rounding, which beginning
+  // contacts amplify (to at most 5e-5, in one grain). A missing force would change the two columns at the boundary by
+  // 0.1, which is 0.005 in the root mean square of all grains.
   const auto moved = wide_layer(1, 350.0);
   double squares = 0.0;
   for (std::size_t k = 0; k < one.size(); ++k) squares += std::pow(one[k] - moved[k], 2);

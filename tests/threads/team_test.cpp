@@ -27,12 +27,12 @@ TEST(Team, EveryMemberWorksAndWaits) {
   }
 }
 
-TEST(Team, SharesCoverEverythingOnce) {
+TEST(Team, RangesCoverEverythingOnce) {
   for (const std::size_t count : {0U, 1U, 5U, 64U, 1001U}) {
     for (const int members : {1, 2, 3, 7}) {
       std::size_t next = 0;
       for (int member = 0; member < members; ++member) {
-        const auto range = share(count, member, members);
+        const auto range = range_of(count, member, members);
         EXPECT_EQ(range.begin, next);
         EXPECT_LE(range.begin, range.end);
         next = range.end;

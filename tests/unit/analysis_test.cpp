@@ -15,7 +15,7 @@
 namespace repose {
 namespace {
 
-/// Small discs on a fine lattice that fill the triangle with these slopes under the apex at `apex_x`.
+/// Small discs on a fine lattice that fill the triangle with these slopes and its apex at `apex_x`.
 Grains<2> triangle(double left_deg, double right_deg, double height, double apex_x) {
   constexpr double step = 0.1;
   Grains<2> grains;
@@ -32,8 +32,9 @@ Grains<2> triangle(double left_deg, double right_deg, double height, double apex
   return grains;
 }
 
-// Flank lines through bin tops: a bin's highest grain stands at its upper edge, half a bin from its centre on both
-// flanks alike, which shifts the line but leaves its slope. Tolerance: the lattice step over the height, in degrees.
+// Flank lines through bin tops: the highest grain of a bin lies at its upper edge, half a bin from its centre. This
+// shifts the line on both flanks but does not change its slope. Tolerance: the lattice step over the height, in
+// degrees.
 TEST(Heap, AnglesOfAsymmetricTriangle) {
   const auto grains = triangle(25.0, 35.0, 20.0, 3.0);
   const auto shape = measure_heap(grains, std::vector<bool>(grains.size(), true), 0.0, 2.0);
@@ -45,7 +46,7 @@ TEST(Heap, AnglesOfAsymmetricTriangle) {
   EXPECT_LT(shape.right->slope, 0.0);
 }
 
-// Uniform triangle: <y> = h/3, <|x|> = b/3 with b its half-base, so the estimator gives the angle itself.
+// A uniform triangle has <y> = h/3 and <|x|> = b/3, b its half-base, so the estimator gives the exact angle.
 TEST(Heap, MomentsOfSymmetricTriangle) {
   for (const double angle : {20.0, 30.0, 40.0}) {
     const auto grains = triangle(angle, angle, 20.0, -1.0);
@@ -69,7 +70,7 @@ TEST(Heap, SurfaceEndsAtAGapAndUsesTenToNinetyPercent) {
   for (const auto& bin : shape.surface) EXPECT_EQ(bin.used, bin.height >= 0.95 && bin.height <= 8.55) << bin.x;
 }
 
-TEST(Heap, NothingThere) {
+TEST(Heap, EmptyWithoutGrains) {
   const Grains<2> none;
   const auto shape = measure_heap(none, {}, 0.0, 2.0);
   EXPECT_TRUE(shape.surface.empty());
@@ -89,8 +90,8 @@ BaseProfile profile(double (*force)(double), double half_width, double shift) {
   return base;
 }
 
-// A triangle gives (1 - 0.3) / (1 - 0.075) = 0.757 over the true half-width; the 10 % rule of the loaded part takes the
-// outermost tenth off, which raises it to (1 - 0.27) / (1 - 0.0675) = 0.783. A plateau gives 1.
+// A triangle gives (1 - 0.3) / (1 - 0.075) = 0.757 over the true half-width. The 10 % rule removes the outermost tenth,
+// which raises it to (1 - 0.27) / (1 - 0.0675) = 0.783. A plateau gives 1.
 TEST(BaseDipIndex, TriangleAndPlateau) {
   const auto triangle_dip = base_dip(profile([](double p) { return 1.0 - p; }, 40.0, 3.0));
   ASSERT_TRUE(triangle_dip);
@@ -106,8 +107,8 @@ TEST(BaseDipIndex, TriangleAndPlateau) {
   EXPECT_FALSE(base_dip(profile([](double) { return 0.0; }, 40.0, 0.0)));
 }
 
-// Over the true half-width: (1 - 0.30)/(1 - 0.075) = 0.757, the 0.76 of a triangle. Base grains half a diameter apart
-// sample the means to 0.3 %.
+// A triangle over its true half-width gives (1 - 0.30)/(1 - 0.075) = 0.757. Base grains half a diameter apart sample
+// the means to 0.3 %.
 TEST(BaseDipIndex, TriangleOverItsTrueHalfWidth) {
   const auto index = dip_index(profile([](double p) { return 1.0 - p; }, 40.0, 3.0), 3.0, 40.0);
   ASSERT_TRUE(index);
@@ -116,17 +117,17 @@ TEST(BaseDipIndex, TriangleOverItsTrueHalfWidth) {
   EXPECT_FALSE(dip_index({}, 0.0, 40.0));
 }
 
-// Rings of 0.15: the central one holds 1, the third (0.30-0.45) 1.5, all others 1.
+// Rings of 0.15 half-widths: the load is 1.5 in the third (0.30-0.45) and 1 in all others.
 TEST(MaxOverCentre, RingOfHigherLoad) {
   const auto ring = profile([](double p) { return p > 0.3 && p < 0.45 ? 1.5 : 1.0; }, 40.0, 0.0);
   const auto ratio = max_over_centre(ring, 0.0, 40.0);
   ASSERT_TRUE(ratio);
-  EXPECT_NEAR(*ratio, 1.5, 0.05);  // one of twelve base grains a side lies on the rim of the ring
+  EXPECT_NEAR(*ratio, 1.5, 0.05);  // one of twelve base grains on each side lies on the edge of the ring
   EXPECT_NEAR(*max_over_centre(profile([](double p) { return 1.0 - p; }, 40.0, 0.0), 0.0, 40.0), 1.0, 1e-12);
   EXPECT_FALSE(max_over_centre({}, 0.0, 1.0));
 }
 
-// Forces of 1 +- 0.5 in turn: the running mean over five is 1 +- 0.1, so that every one is 0.4 off.
+// Forces alternate between 1.5 and 0.5: the running mean over five is 1 +- 0.1, so each force deviates by 0.4.
 TEST(BaseScatter, AlternatingForces) {
   auto base = profile([](double) { return 1.0; }, 1000.0, 0.0);
   for (std::size_t k = 0; k < base.normal.size(); ++k) base.normal[k] = k % 2 == 0 ? 1.5 : 0.5;
@@ -176,7 +177,7 @@ TEST(Statistics, JackknifeOfTheMean) {
   EXPECT_NEAR(estimate.error, mean_of(values).error, 1e-14);
 }
 
-// A heap of slopes 1 with its apex at height 10: depths at right angles to the flank.
+// A heap with slopes 1 and its apex at height 10. Depths are perpendicular to the flank.
 TEST(Heap, DepthBelowTheSurface) {
   HeapShape shape;
   for (int k = -10; k <= 10; ++k) shape.surface.push_back({1.0 * k, 10.0 - std::abs(k), true});
@@ -191,8 +192,8 @@ TEST(Heap, DepthBelowTheSurface) {
   EXPECT_NEAR(depth_below_surface(shape, 5.0, 3.0), 2.0, 1e-12);
 }
 
-// A lattice pile of 30 rows: inside, the triangular packing and six contacts a grain (two diagonals with forces and the
-// horizontal ones, put in here), whatever the surface is like.
+// A lattice pile of 30 rows: its core is the triangular packing with six contacts per grain (the two diagonals with
+// their forces, and the horizontal contacts, which are added here).
 TEST(CoreRegion, TriangularLattice) {
   auto pile = lattice_pile(30);
   for (std::size_t k = 0; k + 1 < pile.grains.size(); ++k) {
@@ -226,13 +227,13 @@ Contact<2> contact(std::int64_t first, std::int64_t second, Vec<2> normal, doubl
   return c;
 }
 
-// Three discs in a row on a plane, the middle one pressed by its neighbours; a weak contact does not count.
+// Three discs in a row on a wall; the neighbours press on the middle one. A weak contact does not count.
 TEST(ForceNetwork, HandMade) {
   Grains<2> grains;
   for (int k = 0; k < 4; ++k) grains.add(unit_disc(k, 0.5), k);
   Contacts<2> contacts;
   contacts.list = {contact(0, 1, {{-1, 0}}, 1.0), contact(1, 2, {{-1, 0}}, 1.0), contact(2, 3, {{-1, 0}}, 0.1)};
-  for (int k = 0; k < 3; ++k) contacts.list.push_back(contact(k, plane_partner(0), {{0, 1}}, 1.0));
+  for (int k = 0; k < 3; ++k) contacts.list.push_back(contact(k, wall_partner(0), {{0, 1}}, 1.0));
   const auto heap = supported(grains, contacts);
   const auto network = measure_force_network(grains, contacts, heap, 0.2);
   EXPECT_EQ(network.contacts, 5U);

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// `count` equal discs of mass 1 on a fixed one, each on the one before at `lean` to the vertical, which gravity has
-/// made fall at speed 1.
+/// A chain of `count` equal discs of mass 1 on a fixed disc, inclined by `lean` from the vertical. Gravity has given
+/// all discs the speed 1 downward.
 Problem<2> chain(int count, double lean, double friction, double rolling_friction) {
   Problem<2> problem;
   problem.velocity_scale = 1.0;
@@ -45,8 +45,8 @@ SolverSettings precise() {
   return settings;
 }
 
-// Each contact carries what lies above it. Velocities are right to the tolerance of 1e-10; impulses, which velocities
-// determine by sums over up to 100 contacts twice over, to 100^2 times that.
+// Each contact carries the discs above it. Velocities are accurate to the tolerance of 1e-10. Impulses follow from them
+// by two sums over up to 100 contacts, so they are accurate to 100^2 times that.
 TEST(ContactDynamicsSolver, StackOf100CarriesWhatLiesAbove) {
   auto problem = chain(100, 0.0, 0.5, 0.0);
   const auto solution = Solver<2>(precise()).solve(problem);
@@ -57,8 +57,8 @@ TEST(ContactDynamicsSolver, StackOf100CarriesWhatLiesAbove) {
   }
 }
 
-// A cantilever: at the contact with h discs beyond it, N = h cos, T = h sin, and the torque over the radius is h^2 sin
-// (weights at odd numbers of radii). Tolerance: impulses are residuals times up to n^4 = 1.6e5, and 1e-10.
+// A cantilever: at a contact with h discs beyond it, N = h cos, T = h sin, and the torque over the radius is h^2 sin
+// (the weights act at odd numbers of radii). Tolerance: residuals of 1e-10 times up to n^4 = 1.6e5.
 TEST(ContactDynamicsSolver, LeaningChainOf20IsACantilever) {
   constexpr double lean = 0.5;
   auto problem = chain(20, lean, infinity, infinity);
@@ -74,8 +74,8 @@ TEST(ContactDynamicsSolver, LeaningChainOf20IsACantilever) {
   }
 }
 
-// What the acceleration is for: plain sweeps need about n^2 for a stack, here 6000.
-TEST(ContactDynamicsSolver, PlainSweepsThatStopAtTheCapSaySo) {
+// Plain sweeps need about n^2 sweeps for a stack, here 6000. That is why the search is accelerated.
+TEST(ContactDynamicsSolver, PlainSweepsReportThatTheyReachedTheLimit) {
   auto problem = chain(50, 0.0, 0.5, 0.0);
   SolverSettings settings;
   settings.accelerated = false;
@@ -92,7 +92,7 @@ TEST(ContactDynamicsSolver, PlainSweepsThatStopAtTheCapSaySo) {
   EXPECT_LT(fast.sweeps, 60);
 }
 
-// The residual knows wrong impulses of every kind, also where the velocities that the solver left behind say nothing.
+// The residual detects wrong impulses of every kind, independently of the velocities that the solver left.
 TEST(ContactDynamicsSolver, ResidualRejectsPlantedErrors) {
   auto right = chain(5, 0.3, 0.5, 0.5);
   ASSERT_TRUE(Solver<2>(precise()).solve(right).converged);
@@ -110,8 +110,8 @@ TEST(ContactDynamicsSolver, ResidualRejectsPlantedErrors) {
   EXPECT_GT(planted([](auto& c) { c.impulse.normal = std::nan(""); }).worst(), 0.1);
 }
 
-/// A body of mass 1 that touches a fixed one along the last axis and slides at speed 1 along the first, but for
-/// friction.
+/// A body of mass 1 that touches a fixed one along the last axis. Without friction it slides at speed 1 along the
+/// first.
 template <int D>
 Problem<D> touching(double friction) {
   Problem<D> problem;
@@ -129,27 +129,27 @@ Problem<D> touching(double friction) {
   return problem;
 }
 
-// Infinite friction as the limit of high friction: what touches and is pressed by nothing may slide against friction.
-// An impulse of -m_t / 2 leaves half of the slip. Residuals follow by hand, in units of the slip.
+// Infinite friction is the limit of high friction: a contact without a normal impulse may slide against friction. An
+// impulse of -m_t / 2 leaves half of the slip velocity. Residuals are computed by hand, in units of the slip velocity.
 TEST(ContactDynamicsSolver, ResidualKnowsSlidingUnderInfiniteFriction) {
   auto problem = touching<2>(infinity);
   auto& c = problem.contacts[0];
   const double slip = slip_velocity(c, problem.free[1], problem.free[0]);
   c.impulse.tangent = -0.5 * slip * c.tangent_mass;
   EXPECT_NEAR(residual(problem).worst(), 0.0, 1e-15);
-  c.friction = 10.0;  // not the limit: without a normal impulse there is no friction
+  c.friction = 10.0;  // finite friction: none without a normal impulse
   EXPECT_NEAR(residual(problem).worst(), 0.5, 1e-15);
   c.friction = infinity;
-  c.impulse.tangent = 0.5 * slip * c.tangent_mass;  // drives
+  c.impulse.tangent = 0.5 * slip * c.tangent_mass;  // friction along the slip
   EXPECT_NEAR(residual(problem).worst(), 0.5, 1e-15);
   c.impulse.tangent = -0.5 * slip * c.tangent_mass;
   c.normal_bias = 0.2;  // opens
   EXPECT_NEAR(residual(problem).worst(), 0.2, 1e-15);
-  c.impulse.tangent = -slip * c.tangent_mass;  // opens, and sticks by a normal impulse that is none
+  c.impulse.tangent = -slip * c.tangent_mass;  // opens, and sticks without a normal impulse
   c.impulse.normal = 1e-200;
   EXPECT_NEAR(residual(problem).worst(), 0.2, 1e-15);
   c.normal_bias = 0.0;
-  c.impulse.normal = 0.3;  // pressed, and sticks: right but for the velocity of opening that it makes
+  c.impulse.normal = 0.3;  // pressed, and sticks: right except for the opening velocity that it causes
   EXPECT_NEAR(residual(problem).normal, 0.3, 1e-15);
 }
 
@@ -158,12 +158,13 @@ TEST(ContactDynamicsSolver, ResidualOfSlidingSpheresKnowsTheDirection) {
   auto& c = problem.contacts[0];
   c.impulse.tangent[0] = -0.5 * c.tangent_mass;
   EXPECT_NEAR(residual(problem).worst(), 0.0, 1e-15);
-  c.impulse.tangent[1] = 0.5 * c.tangent_mass;  // slip (0.5, 0.5) at right angles to the push (-0.5, 0.5)
+  c.impulse.tangent[1] = 0.5 * c.tangent_mass;  // slip (0.5, 0.5) is perpendicular to the impulse (-0.5, 0.5)
   EXPECT_NEAR(residual(problem).worst(), std::sqrt(0.5), 1e-15);
 }
 
-// What is not solved ends with the best that was seen, so that more sweeps never give a worse answer: exactly, since a
-// look is due after every twentieth sweep. With infinite friction the last impulses are now better, now worse.
+// An unsolved problem ends with the best impulses found, so more sweeps never give a worse residual. This holds
+// exactly, because the residual is computed after every twentieth sweep. With infinite friction the last impulses may
+// be worse.
 TEST(ContactDynamicsSolver, MoreSweepsAreNeverWorse) {
   for (const bool packed : {false, true}) {
     double before = infinity;
@@ -188,7 +189,7 @@ TEST(ContactDynamicsSolver, ResidualWithNotANumberIsNotSmall) {
   EXPECT_FALSE(residual(problem).worst() <= 1.0);
 }
 
-// Warm start: from a solution there is nothing to do.
+// A warm start from a solution needs no sweeps.
 TEST(ContactDynamicsSolver, SolutionIsLeftAlone) {
   auto problem = chain(20, 0.0, 0.5, 0.0);
   Solver<2> solver(precise());
@@ -202,7 +203,7 @@ TEST(ContactDynamicsSolver, SolutionIsLeftAlone) {
   }
 }
 
-TEST(ContactDynamicsLaw, WeakeningFallsLinearlyThenStays) {
+TEST(ContactDynamicsLaw, WeakeningIsLinearThenConstant) {
   ImpulseLaw law;
   law.friction = 0.4;
   law.dynamic_friction = 0.1;

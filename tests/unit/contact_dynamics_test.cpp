@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/core/random.hpp"
 #include "repose/methods/contact_dynamics/residual.hpp"
+#include "support/memory_archive.hpp"
 #include "support/rigid_world.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +31,7 @@ ContactDynamicsSettings<2> tilted(double angle, double time_step, double toleran
   return settings;
 }
 
-/// Momentum [M L/T], then angular momentum about the origin.
+/// The momentum [M L/T], then the angular momentum about the origin [M L^2/T].
 std::array<double, 3> momenta(const Grains<2>& grains) {
   std::array<double, 3> sum{};
   for (const auto& g : grains.line) {
@@ -42,7 +43,7 @@ std::array<double, 3> momenta(const Grains<2>& grains) {
   return sum;
 }
 
-// Newton's restitution and momentum give both velocities. One contact is solved exactly: rounding only.
+// Newton's restitution and the momentum determine both velocities. One contact is solved exactly, to rounding.
 TEST(ContactDynamics, TwoBodiesBounceByRestitution) {
   for (const double restitution : {0.0, 0.37, 1.0}) {
     ImpulseLaw law;
@@ -54,7 +55,7 @@ TEST(ContactDynamics, TwoBodiesBounceByRestitution) {
     const double total = 1.0 * 1.0 - 0.36 * 0.5;
     const double after = restitution * 1.5;
     const double va = (total - 0.36 * after) / 1.36;
-    // Where nothing bounces the gap law lets them come together first, at the end of the step.
+    // Without restitution they first touch, at the end of the step.
     EXPECT_NEAR(world[a].velocity[0], va, 1e-12) << restitution;
     EXPECT_NEAR(world[b].velocity[0], va + after, 1e-12) << restitution;
   }
@@ -72,13 +73,14 @@ TEST(ContactDynamics, SpheresBounceByTheSameText) {
   const auto b = world.add({{1.0, 0.0, 0.0}}, {{0.0, 0.0, 0.0}});
   world.advance(1);
   EXPECT_NEAR(world[a].velocity[0] - world[b].velocity[0], -0.5, 1e-12);
-  // Sticking: T = m_t v_t with 1/m_t = 2 (1 + 5/2), and no slip is left.
+  // Sticking: T = m_t v_t with 1/m_t = 2 (1 + 5/2), and no slip velocity is left.
   EXPECT_NEAR(world[a].velocity[2], 0.7 - 0.7 / 7.0, 1e-12);
   EXPECT_NEAR(world[a].velocity[2] - world[b].velocity[2],
               -(world[a].rim_velocity[1] + world[b].rim_velocity[1]) * -1.0, 1e-12);
 }
 
-// vbar_t = v_t+ + e_t v_t- = 0 while |T| <= mu R; else T = mu R against the slip. 1/m_t = 6 for equal discs of mass 1.
+// vbar_t = v_t+ + e_t v_t- = 0 if |T| <= mu R; otherwise T = mu R against the slip. 1/m_t = 6 for equal discs of
+// mass 1.
 TEST(ContactDynamics, ObliqueImpactsStickOrSlide) {
   for (const double friction : {0.1, infinity}) {
     ImpulseLaw law;
@@ -103,7 +105,8 @@ TEST(ContactDynamics, ObliqueImpactsStickOrSlide) {
   }
 }
 
-// Newton's restitution for touching balls gives this and not what a cradle does: inherent, derived by hand.
+// Newton's restitution for touching balls gives this result, derived by hand. A real cradle behaves differently; this
+// is a property of the law.
 TEST(ContactDynamics, TouchingCradle) {
   ImpulseLaw law;
   law.restitution = 1.0;
@@ -114,7 +117,7 @@ TEST(ContactDynamics, TouchingCradle) {
   for (int k = 0; k < 5; ++k) EXPECT_NEAR(world[k].velocity[0], expected[static_cast<std::size_t>(k)], 1e-10) << k;
 }
 
-// Velocities are half a step behind the positions, so a free fall has no error of the time step.
+// Velocities are half a step behind the positions, so a free fall has no time-step error.
 TEST(ContactDynamics, FreeFallIsExact) {
   RigidWorld<2> world({}, rigid_2d(0.1, 1.0));
   const auto a = world.add({{0.0, 50.0}}, {{0.3, 2.0}});
@@ -123,7 +126,7 @@ TEST(ContactDynamics, FreeFallIsExact) {
   EXPECT_NEAR(world[a].position[0], 0.3 * 4.0, 1e-12);
 }
 
-// g (sin - mu cos) above the angle of friction, nothing below. No rotation: rolling is held.
+// The acceleration is g (sin - mu cos) above the friction angle and 0 below. Rolling is prevented.
 TEST(ContactDynamics, InclineSlidesAboveTheAngleOfFriction) {
   constexpr double friction = 0.4;
   for (const double excess : {-1e-3, 1e-3}) {
@@ -142,7 +145,7 @@ TEST(ContactDynamics, InclineSlidesAboveTheAngleOfFriction) {
   }
 }
 
-// A disc that does not slide rolls above theta_r with 2/3 g (sin - mu_r cos), and stays below.
+// A disc that does not slide rolls above theta_r with the acceleration 2/3 g (sin - mu_r cos), and rests below.
 TEST(ContactDynamics, InclineRollsAboveTheAngleOfRollingFriction) {
   constexpr double rolling_friction = 0.2;
   for (const double excess : {-1e-3, 1e-3, 0.1}) {
@@ -155,13 +158,13 @@ TEST(ContactDynamics, InclineRollsAboveTheAngleOfRollingFriction) {
     world.advance(100);
     const double driving = std::sin(angle) - rolling_friction * std::cos(angle);
     const double speed = excess > 0.0 ? 2.0 / 3.0 * driving * 0.01 * 99.5 : 0.0;
-    // Torque and friction of a contact are solved in turn, to the tolerance of the solver in each of 100 steps.
+    // The torque and the friction of a contact are solved alternately, to the solver's tolerance in each of 100 steps.
     EXPECT_NEAR(world[a].velocity[0], speed, 1e-11);
     EXPECT_NEAR(world[a].rim_velocity, -speed, 1e-11);
   }
 }
 
-// With infinite coefficients a disc holds on anything short of upside down.
+// With infinite coefficients a pressed disc holds on any face, here a vertical one.
 TEST(ContactDynamics, InfiniteFrictionHoldsOnAVerticalFaceUnderPressure) {
   ImpulseLaw law;
   law.friction = infinity;
@@ -172,7 +175,7 @@ TEST(ContactDynamics, InfiniteFrictionHoldsOnAVerticalFaceUnderPressure) {
   EXPECT_NEAR(world[a].position[0], 0.0, 1e-12);
 }
 
-// A sliding disc ends rolling at 2/3 of its speed (a sphere: 5/7), whatever the friction.
+// A sliding disc ends up rolling at 2/3 of its speed (a sphere: 5/7), for any friction.
 TEST(ContactDynamics, SlidingDiscEndsRollingAtTwoThirds) {
   ImpulseLaw law;
   law.friction = 0.3;
@@ -183,7 +186,7 @@ TEST(ContactDynamics, SlidingDiscEndsRollingAtTwoThirds) {
   EXPECT_NEAR(world[a].rim_velocity, -2.0 / 3.0, 1e-10);
 }
 
-// A disc in the pocket of two fixed ones that touch: each carries m g / (2 cos 30).
+// A disc in the pocket between two touching fixed discs: each carries m g / (2 cos 30).
 TEST(ContactDynamics, PocketSharesTheWeight) {
   RigidWorld<2> world({}, rigid_2d(0.05, 1.0, 1e-12));
   world.add({{-0.5, 0.0}}, {}, 0.0, 0.5, true);
@@ -199,8 +202,8 @@ TEST(ContactDynamics, PocketSharesTheWeight) {
   }
 }
 
-// Impulses are equal and opposite and act at one point: momentum and angular momentum to rounding, converged or not.
-// Seed 11; 60 discs of radius 0.3 to 0.5 that fly together.
+// Impulses are equal and opposite and act at one point, so momentum and angular momentum are conserved to rounding,
+// converged or not. Seed 11; 60 discs of radius 0.3 to 0.5 that fly together.
 TEST(ContactDynamics, MomentaAreConserved) {
   ImpulseLaw law;
   law.restitution = 0.6;
@@ -224,7 +227,8 @@ TEST(ContactDynamics, MomentaAreConserved) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(after[k], before[k], 1e-11) << k;
 }
 
-// The gap law lets a pair come together and no further, however fast; what moves past the curve of a disc only opens.
+// The condition on the gap lets a pair just touch at any speed. Tangential motion past the curve of a disc only opens
+// the gap.
 TEST(ContactDynamics, NothingOverlapsWhereTheSolverConverges) {
   ImpulseLaw law;
   law.friction = 0.5;
@@ -244,12 +248,12 @@ TEST(ContactDynamics, NothingOverlapsWhereTheSolverConverges) {
     for (const auto& contact : world.method.contacts(world.grains).list) deepest = std::max(deepest, contact.overlap);
   }
   EXPECT_EQ(world.method.account().unconverged, 0);
-  // A step leaves at most its residual times g dt^2; 200 of them, were they all to add up.
+  // A step leaves an overlap of at most its residual times g dt^2; 200 steps could add up.
   EXPECT_LT(deepest, 200.0 * 1e-7 * 0.05 * 0.05);
 }
 
-// An overlap goes without a jump: the settled share stays, and no grain gets faster than a twentieth of what is left.
-TEST(ContactDynamics, OverlapIsTakenBackGently) {
+// An overlap is corrected without a jump: the settled part stays, and a step corrects at most a twentieth of the rest.
+TEST(ContactDynamics, OverlapIsCorrectedGradually) {
   auto settings = rigid_2d(0.05, 1.0, 1e-10);
   settings.walls = {plane({{0.0, 0.0}}, {{0.0, 1.0}})};
   RigidWorld<2> world({}, settings);
@@ -263,7 +267,7 @@ TEST(ContactDynamics, OverlapIsTakenBackGently) {
   EXPECT_LT(fastest, 0.05 * 0.02 / 0.05 + 1e-9);
 }
 
-// A grain that goes most of its radius in a step still meets what it runs into.
+// A grain that moves by most of its radius in a step still meets the next grain.
 TEST(ContactDynamics, FastGrainsMeet) {
   ImpulseLaw law;
   law.restitution = 1.0;
@@ -281,7 +285,7 @@ TEST(ContactDynamics, TooFastIsTrouble) {
   EXPECT_TRUE(world.advance(10).trouble);
 }
 
-// Across the seam of a periodic box as anywhere.
+// Contacts across the sides of a periodic box are like any other.
 TEST(ContactDynamics, PeriodicBoxHasNoSeam) {
   ImpulseLaw law;
   law.restitution = 1.0;
@@ -297,8 +301,8 @@ TEST(ContactDynamics, PeriodicBoxHasNoSeam) {
   EXPECT_NEAR(world[b].velocity[0], 1.0, 1e-12);
 }
 
-// Floor and walls take up weight and change of momentum in every step, at rest or not.
-TEST(ContactDynamics, BoxTakesUpWeightAndMomentum) {
+// The impulses on floor and walls equal the weight plus the change of momentum in every step, at rest or not.
+TEST(ContactDynamics, BoxCarriesWeightAndMomentum) {
   ImpulseLaw law;
   law.friction = 0.5;
   auto settings = rigid_2d(0.05, 1.0);
@@ -309,14 +313,14 @@ TEST(ContactDynamics, BoxTakesUpWeightAndMomentum) {
     world.add({{0.7 + 1.1 * (k % 7), 0.6 + 1.1 * (k / 7)}}, {}, 0.0, size);
   }
   world.advance(1);
-  world.method.taken_wall_impulses();
+  world.method.take_wall_impulses();
   auto before = momenta(world.grains);
   double weight = 0.0;
   for (const auto& grain : world.grains.line) weight += grain.mass;
   for (int k = 0; k < 100; ++k) {
     world.advance(1);
     const auto after = momenta(world.grains);
-    const auto taken = world.method.taken_wall_impulses();
+    const auto taken = world.method.take_wall_impulses();
     const Vec<2> sum = taken[0] + taken[1] + taken[2];
     EXPECT_NEAR(sum[1], -weight * 0.05 - (after[1] - before[1]), 1e-11);
     EXPECT_NEAR(sum[0], -(after[0] - before[0]), 1e-11);
@@ -324,8 +328,8 @@ TEST(ContactDynamics, BoxTakesUpWeightAndMomentum) {
   }
 }
 
-// Unconverged solutions creep. A leaning chain of 20 that holds must not: at the default tolerance the tip moves, in
-// 100 steps, by no more than what each joint may add, 100 x 20 x 1e-6 g dt^2.
+// Unconverged solutions creep. A stable leaning chain of 20 must not creep: at the default tolerance the tip moves, in
+// 100 steps, by at most the sum that each joint may add, 100 x 20 x 1e-6 g dt^2.
 TEST(ContactDynamics, LeaningChainDoesNotCreepAtTheDefaultTolerance) {
   ImpulseLaw law;
   law.friction = infinity;
@@ -338,7 +342,7 @@ TEST(ContactDynamics, LeaningChainDoesNotCreepAtTheDefaultTolerance) {
             100.0 * 20.0 * 1e-6 * 0.04);
 }
 
-// The same chain under plain sweeps with a cap falls over itself: the solver says so, and this is what it looks like.
+// The same chain collapses under plain sweeps with a limit on their number, and the solver reports it.
 TEST(ContactDynamics, UnconvergedChainCreepsAndIsCounted) {
   ImpulseLaw law;
   law.friction = infinity;
@@ -353,29 +357,6 @@ TEST(ContactDynamics, UnconvergedChainCreepsAndIsCounted) {
   EXPECT_GT(world.method.account().worst_residual, 1e-3);
   EXPECT_LT(world[20].position[1], 20.0 * std::cos(0.5) - 0.1);
 }
-
-/// Keeps bytes by name.
-class Memory final : public Archive {
- public:
-  bool restore = false;
-  bool restoring() const override { return restore; }
-
- protected:
-  void block(const std::string& name, std::size_t item, std::size_t count, const void* data,
-             const std::function<void*(std::size_t)>& room) override {
-    auto& kept = kept_[name];
-    if (!restore) {
-      const auto* bytes = static_cast<const char*>(data);
-      kept.assign(bytes, bytes + item * count);
-    } else if (auto* to = room(kept.size() / item); !kept.empty()) {
-      std::memcpy(to, kept.data(), kept.size());
-    }
-  }
-  void refuse(const std::string& name) const override { throw RunError(name); }
-
- private:
-  std::map<std::string, std::vector<char>> kept_;
-};
 
 RigidWorld<2> pouring_box() {
   ImpulseLaw law;
@@ -395,13 +376,13 @@ bool same_bits(const Grains<2>& a, const Grains<2>& b) {
   return a.id == b.id && std::memcmp(a.line.data(), b.line.data(), a.size() * sizeof(Grain<2>)) == 0;
 }
 
-TEST(ContactDynamics, ResumeIsContinuationBitForBit) {
+TEST(ContactDynamics, ResumingContinuesToTheBit) {
   auto whole = pouring_box();
   auto first = pouring_box();
   auto second = pouring_box();
   whole.advance(80);
   first.advance(37);
-  Memory memory;
+  testing::MemoryArchive memory;
   first.grains.exchange(memory);
   first.method.exchange(memory);
   memory.restore = true;
@@ -412,8 +393,8 @@ TEST(ContactDynamics, ResumeIsContinuationBitForBit) {
   EXPECT_FALSE(same_bits(whole.grains, first.grains));
 }
 
-// Impulses follow their pair when the grains change places in memory: a settled pile that is sorted anew needs no more
-// than the residual's look.
+// Impulses follow their pair when the grains are reordered in memory: a settled pile that is sorted again needs no
+// sweep, only a check of the residual.
 TEST(ContactDynamics, WarmStartSurvivesReordering) {
   ImpulseLaw law;
   law.friction = 0.5;
@@ -429,7 +410,7 @@ TEST(ContactDynamics, WarmStartSurvivesReordering) {
   EXPECT_TRUE(world.method.solution().converged);
 }
 
-// Forces of a packing from elsewhere are a start as good.
+// The forces of a packing from another run are an equally good start.
 TEST(ContactDynamics, HistoriesAreAWarmStart) {
   const auto stack = [] {
     auto settings = rigid_2d(0.05, 1.0, 1e-9);
@@ -444,13 +425,13 @@ TEST(ContactDynamics, HistoriesAreAWarmStart) {
   ASSERT_EQ(contacts.size(), 12U);
   auto second = stack();
   second.refresh();
-  second.advance(1);  // the first step is half a kick: histories are of whole ones
+  second.advance(1);  // the first step is half a kick; the impulses belong to whole kicks
   second.method.set_histories(second.grains, contacts);
   second.advance(1);
   EXPECT_EQ(second.method.solution().sweeps, 0);
 }
 
-// A wall at a given speed carries a grain along, and does the work: m v^2 / 2 and as much for friction-free lifting.
+// A wall with a given speed carries a grain along. It does the work m v^2 on it, of which half becomes kinetic energy.
 TEST(ContactDynamics, MovingWallPushes) {
   auto settings = rigid_2d(0.01, 0.0, 1e-13);
   auto wall = plane({{0.0, 0.0}}, {{1.0, 0.0}});
@@ -464,9 +445,10 @@ TEST(ContactDynamics, MovingWallPushes) {
   EXPECT_NEAR(world[a].velocity[0], 0.5, 1e-12);
   EXPECT_NEAR(world[a].position[0], 0.5 * 2.0 + 0.5, 1e-10);
   EXPECT_NEAR(world.method.walls()[0].displacement, 1.0, 1e-12);
+  EXPECT_NEAR(world.method.walls()[0].work, 0.5 * 0.5, 1e-12);
 }
 
-/// A floor that moves up and down only.
+/// A floor that moves vertically only.
 Wall<2> lift(WallMotion<2>::Kind kind, double mass) {
   auto wall = plane({{0.0, 0.0}}, {{0.0, 1.0}});
   wall.motion.kind = kind;
@@ -475,8 +457,8 @@ Wall<2> lift(WallMotion<2>::Kind kind, double mass) {
   return wall;
 }
 
-// A piston of mass 2 under a force of 5 that carries a stack of three discs of mass 1: gravity does not act on the
-// piston, so all rise with (5 - 3)/(2 + 3). Each disc carries what lies above it times (1 + 0.4).
+// A piston of mass 2 under a force of 5 carries a stack of three discs of mass 1. Gravity does not act on the piston,
+// so all rise with the acceleration (5 - 3)/(2 + 3). Each contact carries the discs above it times (1 + 0.4).
 TEST(ContactDynamics, PistonUnderForceCarriesAStack) {
   auto settings = rigid_2d(0.01, 1.0, 1e-12);
   settings.walls = {lift(WallMotion<2>::Kind::force, 2.0)};
@@ -493,8 +475,8 @@ TEST(ContactDynamics, PistonUnderForceCarriesAStack) {
   EXPECT_NEAR(at_floor, 3.0 * 1.4, 1e-8);
 }
 
-// At rest the spring has what the load weighs: 1 mass on a spring of 50 sinks by 1/50. The spring is implicit, so the
-// step may be far longer than its period (w dt = 7), and what is left of the motion has died out.
+// At rest the spring carries the weight of the load: 1 mass on a spring of 50 sinks by 1/50. The spring is implicit, so
+// the step may be far longer than its period (w dt = 7), and the motion has died out.
 TEST(ContactDynamics, PistonOnAStiffSpringComesToRest) {
   auto settings = rigid_2d(1.0, 1.0, 1e-12);
   settings.walls = {lift(WallMotion<2>::Kind::spring, 0.1)};
@@ -506,7 +488,7 @@ TEST(ContactDynamics, PistonOnAStiffSpringComesToRest) {
   EXPECT_NEAR(world[a].position[1], 0.48, 1e-9);
 }
 
-// Implicit Euler is of first order: the amplitude that a period takes away halves with the step.
+// Implicit Euler is of first order: the loss of amplitude per period is proportional to the step.
 TEST(ContactDynamics, SpringPistonConvergesToItsOscillation) {
   const auto end = [](double step) {
     auto settings = rigid_2d(step, 0.0, 1e-12);
@@ -525,7 +507,7 @@ TEST(ContactDynamics, SpringPistonConvergesToItsOscillation) {
   EXPECT_NEAR(coarse / fine, 2.0, 0.1);
 }
 
-// Friction of a plate that slides along the floor of a disc: a piston is pushed along its direction alone, by m a.
+// Friction between a disc and a plate that moves along its own plane: only forces along its direction push a piston.
 TEST(ContactDynamics, PistonIsDraggedByFriction) {
   ImpulseLaw law;
   law.friction = 0.3;
@@ -536,11 +518,11 @@ TEST(ContactDynamics, PistonIsDraggedByFriction) {
   RigidWorld<2> world(law, settings);
   const auto a = world.add({{0.0, 0.5}}, {{1.0, 0.0}});
   world.advance(50);
-  // Sliding: the disc is slowed by mu g, the plate sped up by mu m g / 4.
+  // Sliding: the disc is decelerated by mu g, the plate accelerated by mu m g / 4.
   EXPECT_NEAR(world[a].velocity[0], 1.0 - 0.3 * 0.01 * 49.5, 1e-9);
   EXPECT_NEAR(world.method.walls()[0].speed, 0.3 * 0.01 * 49.5 / 4.0, 1e-9);
   world.advance(450);
-  EXPECT_NEAR(world[a].velocity[0], 0.2, 1e-9);  // stuck: momentum is shared by 1 and 4
+  EXPECT_NEAR(world[a].velocity[0], 0.2, 1e-9);  // sticking: the momentum belongs to the masses 1 and 4 together
   EXPECT_NEAR(world.method.walls()[0].speed, 0.2, 1e-9);
 }
 

@@ -30,7 +30,7 @@ void expect_as_all_pairs(const Discs& discs, const Box<2>& box, double gap) {
 TEST(ContactGraph, equals_all_pairs_bit_for_bit) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     Draw draw(seed);
-    // Down to boxes that hold two cells or one, with discs of sizes up to 1 to 5.
+    // Boxes down to two cells or one, with size ratios up to 1 to 5.
     const double width = seed % 3 == 0 ? 2.1 : 3.0 + 20.0 * draw();
     const auto box = sides(width, seed % 2 == 0);
     Discs discs;
@@ -40,7 +40,7 @@ TEST(ContactGraph, equals_all_pairs_bit_for_bit) {
 }
 
 TEST(ContactGraph, equals_all_pairs_where_rounding_decides) {
-  // All gaps of a lattice are zero but for rounding: with no tolerance some count and some do not.
+  // All gaps of a lattice are zero except for rounding: without a tolerance some count and some do not.
   const auto discs = triangular_packing(12, 20);
   for (const double gap : {0.0, 1e-16, 1e-15, 1e-9}) expect_as_all_pairs(discs, sides(12.0), gap);
   expect_as_all_pairs(sticking_packing(10, 400, 3), sides(10.0), 1e-9);
@@ -64,19 +64,19 @@ TEST(ContactGraph, the_gap_is_in_mean_diameters_of_the_pair) {
   EXPECT_EQ(contact_graph(discs, box, 1.1e-4).contacts(), 2u);
 }
 
-TEST(ContactGraph, planes_count_as_neighbours) {
+TEST(ContactGraph, walls_count_as_neighbours) {
   Discs discs;
   discs.add({{0.5, 0.5}}, 0.5);
   discs.add({{2.0, 0.5 + 1e-6}}, 0.5);
   discs.add({{9.5, 3.0}}, 0.5);
-  const Planes planes{0.0, 0.0, 10.0};
-  EXPECT_EQ(plane_contacts(discs, planes, 1e-9), (std::vector<std::uint8_t>{2, 0, 1}));
-  EXPECT_EQ(plane_contacts(discs, planes, 1e-5), (std::vector<std::uint8_t>{2, 1, 1}));
-  EXPECT_EQ(plane_contacts(discs, {}, 1e-5), (std::vector<std::uint8_t>{0, 0, 0}));
+  const PackingWalls walls{0.0, 0.0, 10.0};
+  EXPECT_EQ(wall_contacts(discs, walls, 1e-9), (std::vector<std::uint8_t>{2, 0, 1}));
+  EXPECT_EQ(wall_contacts(discs, walls, 1e-5), (std::vector<std::uint8_t>{2, 1, 1}));
+  EXPECT_EQ(wall_contacts(discs, {}, 1e-5), (std::vector<std::uint8_t>{0, 0, 0}));
 }
 
-TEST(ContactGraph, rattlers_go_one_after_another) {
-  // On three base discs: a disc in a pocket stays; a chain on top of it goes from its end; one afloat goes.
+TEST(ContactGraph, rattlers_are_removed_one_after_another) {
+  // On three base discs: a disc in a pocket stays; a chain on top of it is removed from its end; a floating disc too.
   Discs discs;
   for (int k = 0; k < 3; ++k) discs.add({{k + 1.0, 0.0}}, 0.5, true);
   const double rise = std::sqrt(0.75);
@@ -85,19 +85,20 @@ TEST(ContactGraph, rattlers_go_one_after_another) {
   discs.add({{1.5, rise + 2.0}}, 0.5);
   discs.add({{6.0, 5.0}}, 0.5);
   const auto graph = contact_graph(discs, sides(10.0, false), 1e-9);
-  const std::vector<std::uint8_t> no_planes(discs.size(), 0);
-  EXPECT_EQ(rattlers(discs, graph, no_planes), (std::vector<std::uint8_t>{0, 0, 0, 0, 1, 1, 1}));
-  EXPECT_EQ(rattlers(discs, graph, no_planes, 1), (std::vector<std::uint8_t>{0, 0, 0, 0, 0, 0, 1}));
+  const std::vector<std::uint8_t> no_walls(discs.size(), 0);
+  EXPECT_EQ(rattlers(discs, graph, no_walls), (std::vector<std::uint8_t>{0, 0, 0, 0, 1, 1, 1}));
+  EXPECT_EQ(rattlers(discs, graph, no_walls, 1), (std::vector<std::uint8_t>{0, 0, 0, 0, 0, 0, 1}));
   // A wall beside the end of the chain holds the whole chain.
   std::vector<std::uint8_t> wall(discs.size(), 0);
   wall[5] = 1;
   EXPECT_EQ(rattlers(discs, graph, wall), (std::vector<std::uint8_t>{0, 0, 0, 0, 0, 0, 1}));
 }
 
-TEST(ContactGraph, of_a_forest_only_the_base_is_left) {
+TEST(ContactGraph, a_forest_without_rattlers_is_only_the_base) {
   const auto discs = sticking_packing(16, 500, 5);
   const auto graph = contact_graph(discs, sides(16.0), 1e-9);
-  EXPECT_EQ(graph.contacts(), 16u + 500u);  // the base touches itself round the box, each disc one below
+  EXPECT_EQ(graph.contacts(),
+            16u + 500u);  // the base touches itself across the sides of the box; each disc touches one below
   EXPECT_EQ(rattlers(discs, graph, std::vector<std::uint8_t>(discs.size(), 0)), [&] {
     std::vector<std::uint8_t> expected(discs.size(), 1);
     std::fill_n(expected.begin(), 16, std::uint8_t{0});

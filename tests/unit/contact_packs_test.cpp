@@ -18,11 +18,11 @@ namespace {
 struct alignas(64) Numbers {
   double of[pack_numbers] = {};
 };
-struct alignas(64) Shares {
+struct alignas(64) Fractions {
   double of[pack_lanes] = {};
 };
 
-/// Indices of the contacts in the order of their packs.
+/// The indices of the contacts in the order of their packs.
 std::vector<std::size_t> order_of(const Packs& packs) {
   std::vector<std::size_t> order;
   for (std::size_t pack = 0; pack < packs.size(); ++pack) {
@@ -33,21 +33,21 @@ std::vector<std::size_t> order_of(const Packs& packs) {
   return order;
 }
 
-/// What Packs::sweep_to_and_fro does, one contact after the other. `shares` by index in the problem.
-void sweep_one_by_one(Problem<2>& problem, const std::vector<std::size_t>& order, const std::vector<double>& shares,
+/// Does the same as Packs::sweep_both_ways, one contact after the other. `fractions` is by index in the problem.
+void sweep_one_by_one(Problem<2>& problem, const std::vector<std::size_t>& order, const std::vector<double>& fractions,
                       std::vector<Impulse<2>>& changes) {
   const FreeBodies among;
   auto& bodies = problem.bodies;
   changes.assign(problem.contacts.size(), {});
   for (const auto k : order) {
     auto& c = problem.contacts[k];
-    relax_translation(among, shares[k], c, bodies[c.first], bodies[c.second], changes[k]);
+    relax_translation(among, fractions[k], c, bodies[c.first], bodies[c.second], changes[k]);
     if (problem.rolling) relax_roll(among, c, bodies[c.first], bodies[c.second], changes[k]);
   }
   for (auto k = order.rbegin(); k != order.rend(); ++k) {
     auto& c = problem.contacts[*k];
     if (problem.rolling) relax_roll(among, c, bodies[c.first], bodies[c.second], changes[*k]);
-    relax_translation(among, shares[*k], c, bodies[c.first], bodies[c.second], changes[*k]);
+    relax_translation(among, fractions[*k], c, bodies[c.first], bodies[c.second], changes[*k]);
   }
 }
 
@@ -68,18 +68,18 @@ void expect_same_bits(const Body<2>& a, const Body<2>& b, const std::string& wha
   expect_same_bits(a.inverse_mass, b.inverse_mass, what + ", inverse mass");
 }
 
-/// Sweeps packs three times and compares with the contacts one by one.
+/// Sweeps the packs three times and compares with sweeps over single contacts.
 void compare_sweeps(const Problem<2>& problem, bool partly, InstructionSet set) {
   Packs packs;
   packs.build(problem);
-  std::vector<double> share_of(problem.contacts.size(), 1.0);
-  std::vector<Shares> shares(packs.size());
+  std::vector<double> fraction_of(problem.contacts.size(), 1.0);
+  std::vector<Fractions> fractions(packs.size());
   for (std::size_t pack = 0; pack < packs.size(); ++pack) {
     for (std::size_t lane = 0; lane < pack_lanes; ++lane) {
       const auto k = packs.contact(pack, lane);
       if (k == Packs::none) continue;
-      if (partly) share_of[k] = 0.3 + 0.1 * static_cast<double>(k % 7);
-      shares[pack].of[lane] = share_of[k];
+      if (partly) fraction_of[k] = 0.3 + 0.1 * static_cast<double>(k % 7);
+      fractions[pack].of[lane] = fraction_of[k];
     }
   }
   auto expected = problem;
@@ -90,9 +90,9 @@ void compare_sweeps(const Problem<2>& problem, bool partly, InstructionSet set) 
   std::vector<Numbers> changes(packs.size());
   packs.load(found.contacts, impulses.front().of);
   for (int sweep = 0; sweep < 3; ++sweep) {
-    sweep_one_by_one(expected, order_of(packs), share_of, expected_changes);
-    packs.sweep_to_and_fro(impulses.front().of, found.bodies.data(), changes.front().of,
-                           partly ? shares.front().of : nullptr, problem.rolling, set);
+    sweep_one_by_one(expected, order_of(packs), fraction_of, expected_changes);
+    packs.sweep_both_ways(impulses.front().of, found.bodies.data(), changes.front().of,
+                          partly ? fractions.front().of : nullptr, problem.rolling, set);
   }
   packs.store(impulses.front().of, found.contacts);
   auto found_changes = problem.contacts;
@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(Every, PackedSweeps,
                          name_of);
 
 TEST(ContactPacks, NoMovingBodyTwiceAndEveryContactOnce) {
-  Packs packs;  // used again and again, as in a run
+  Packs packs;  // reused, as in a run
   for (const std::size_t contacts : {0u, 1u, 9u, 100u, 3000u, 40u}) {
     const auto problem = random_problem(3 + contacts / 2, contacts, false, 7);
     packs.build(problem);
@@ -161,7 +161,7 @@ TEST(ContactPacks, NoMovingBodyTwiceAndEveryContactOnce) {
   }
 }
 
-// A row of discs, each on the next: as many contacts as fit into a pack are there before a disc comes again.
+// A row of discs, each on the next: a pack is filled before a disc occurs again.
 TEST(ContactPacks, OfALongRowAreFull) {
   Problem<2> problem;
   for (std::uint32_t k = 0; k < 4001; ++k) {
@@ -193,8 +193,9 @@ TEST(ContactPacks, ImpulsesThereAndBack) {
   }
 }
 
-// The whole solver, acceleration and yielding included: in the order of the packs, single contacts come to the same.
-// Not to the bit: velocities are summed up from impulses in the order of the problem, which differs.
+// The whole solver, with acceleration and yielding: single contacts in the order of the packs give the same result.
+// They do not give the same bits, because velocities are computed from impulses in the order of the problem, which
+// differs.
 TEST(ContactPacks, SolverAgreesWithSingleContactsInTheirOrder) {
   for (const bool rolling : {false, true}) {
     auto packed = random_problem(160, 200, rolling, 5);

@@ -11,8 +11,8 @@ namespace {
 
 Coordination read(const Discs& discs, const Slab& slab, std::size_t blocks = 4) {
   const auto graph = contact_graph(discs, slab.box, 1e-9);
-  const std::vector<std::uint8_t> on_planes(discs.size(), 0);
-  return read_coordination(discs, graph, on_planes, rattlers(discs, graph, on_planes), slab, blocks);
+  const std::vector<std::uint8_t> on_walls(discs.size(), 0);
+  return measure_coordination(discs, graph, on_walls, rattlers(discs, graph, on_walls), slab, blocks);
 }
 
 TEST(Coordination, of_lattices_is_exact) {
@@ -29,11 +29,11 @@ TEST(Coordination, of_lattices_is_exact) {
 }
 
 TEST(Coordination, neighbours_outside_the_slab_and_of_the_base_count) {
-  // The slab holds the row above the base alone: its discs have two neighbours below, two beside, two above.
+  // The slab holds only the row above the base: its discs have two neighbours below, two beside, two above.
   const auto coordination = read(triangular_packing(8, 3), slab_between(0.5, 1.0, sides(8.0)));
   EXPECT_EQ(coordination.discs, 8u);
   EXPECT_EQ(coordination.mean.mean, 6.0);
-  // The base itself is not counted, even where the slab holds it.
+  // The base itself is not counted, even if it lies in the slab.
   EXPECT_EQ(read(triangular_packing(8, 3), slab_between(-0.5, 1.0, sides(8.0))).discs, 8u);
 }
 
@@ -54,7 +54,7 @@ TEST(Coordination, without_rattlers_leaves_their_contacts_out) {
   EXPECT_NEAR(coordination.connectivity[5], 0.1, 1e-15);
 }
 
-TEST(Coordination, of_a_forest_is_two_and_nothing_is_left_without_rattlers) {
+TEST(Coordination, of_a_forest_is_two_and_all_discs_are_rattlers) {
   const auto discs = sticking_packing(32, 1000, 1);
   const auto coordination = read(discs, slab_between(10.0, 50.0, sides(32.0)), 8);
   double sum = 0.0;
@@ -65,8 +65,8 @@ TEST(Coordination, of_a_forest_is_two_and_nothing_is_left_without_rattlers) {
   }
   EXPECT_NEAR(sum, 1.0, 1e-14);
   EXPECT_NEAR(mean, coordination.mean.mean, 1e-14);
-  // Each disc has one support and, on average, one that it supports: links cut by the edges make the difference, a
-  // dozen of 500 discs at most.
+  // Each disc has one support and supports one disc on average. Contacts cut by the edges make the difference: at most
+  // a dozen of 500 discs.
   EXPECT_NEAR(coordination.mean.mean, 2.0, 0.03);
   EXPECT_EQ(coordination.rattlers, 1.0);
   EXPECT_TRUE(std::isnan(coordination.without_rattlers.mean));

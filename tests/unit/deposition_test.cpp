@@ -61,29 +61,29 @@ struct Packer {
     const auto method = brute_force ? make_deposition_by_brute_force(settings()) : make_deposition(settings());
     method->grains_added(grains);
     Team team(1);
-    EXPECT_FALSE(method->advance(grains, static_cast<long>(count), team).trouble);
+    EXPECT_FALSE(method->advance(grains, static_cast<double>(count), team).trouble);
     EXPECT_TRUE(method->complete());
     return grains;
   }
 
-  Planes planes() const {
-    Planes planes;
-    if (flat) planes.floor = 0.0;
-    if (!periodic) planes.left = 0.0;
-    if (!periodic) planes.right = width;
-    return planes;
+  PackingWalls walls() const {
+    PackingWalls walls;
+    if (flat) walls.floor = 0.0;
+    if (!periodic) walls.left = 0.0;
+    if (!periodic) walls.right = width;
+    return walls;
   }
 
   Packing measured() const {
     PackingOptions options;
-    options.planes = planes();
+    options.walls = walls();
     if (flat) options.slab.base_height = 0.5;
     const auto grains = pack();
     return analyse_packing(discs_of(grains, settings().box), settings().box, options).packing.value();
   }
 };
 
-// Both searches see the same meetings, so that their packings are the same to the bit.
+// Both searches find the same touches, so their packings are the same to the bit.
 TEST(Deposition, ColumnsEqualBruteForce) {
   for (const double spread : {0.0, 0.3, 0.85}) {
     for (const double angle : {0.0, 5.0, 30.0, 50.0, 85.0, 90.0}) {
@@ -107,7 +107,7 @@ TEST(Deposition, ColumnsEqualBruteForce) {
   }
 }
 
-// Every disc rests by the rule, seen by code of its own, and none overlap by more than rounding.
+// Every disc rests by the rule, checked by independent code, and no overlap is larger than rounding.
 TEST(Deposition, EveryDiscRestsWithoutOverlap) {
   for (const double spread : {0.0, 0.3, 0.85}) {
     for (const double angle : {0.0, 5.0, 30.0, 50.0, 75.0, 90.0}) {
@@ -124,7 +124,7 @@ TEST(Deposition, EveryDiscRestsWithoutOverlap) {
         const auto discs = discs_of(grains, box);
         constexpr double gap = 1e-9;
         const auto graph = contact_graph(discs, box, gap);
-        const auto breaks = breaks_sticking_rule(discs, box, graph, packer.planes(), gap, angle);
+        const auto breaks = breaks_sticking_rule(discs, box, graph, packer.walls(), gap, angle);
         EXPECT_EQ(std::count(breaks.begin(), breaks.end(), 1), 0) << spread << " " << angle << " " << kind;
         EXPECT_LT(deepest_overlap(discs, box, graph), 1e-12) << spread << " " << angle << " " << kind;
       }
@@ -132,7 +132,7 @@ TEST(Deposition, EveryDiscRestsWithoutOverlap) {
   }
 }
 
-// The check finds discs that do not rest: one in the air, one on a slope, one below its only support.
+// The check finds discs that break the rule: one in the air, one on a slope, one below its only support.
 TEST(StickingRule, FindsWhatDoesNotRest) {
   Box<2> box;
   box.x_min = -5.0;
@@ -154,17 +154,16 @@ TEST(StickingRule, FindsWhatDoesNotRest) {
   EXPECT_EQ(broken(90.0), (std::vector<std::uint8_t>{0, 0, 1, 1}));
 }
 
-// Steepest descent on a contiguous row, with snapped places: the triangular packing itself, pi / (2 sqrt 3) = 0.9069.
-// The slab cuts layers, so that its solid fraction is off by up to a layer in 31; bonds are exact.
+// Steepest descent on a contiguous row, with snapped positions, gives exactly the triangular packing, pi / (2 sqrt 3) =
+// 0.9069. The slab cuts layers, so its solid fraction is off by up to one layer in 31; contact directions are exact.
 TEST(Deposition, SteepestDescentIsTriangular) {
   const auto packing = Packer{.width = 32, .count = 1000, .angle_deg = 0.0, .snapped = true}.measured();
   EXPECT_NEAR(packing.solid_fraction.mean, std::numbers::pi / (2.0 * std::sqrt(3.0)), 5e-4);
   EXPECT_EQ(packing.coordination.mean.mean, 6.0);
 }
 
-// Mean of 30 packings of the paper's size, seeds 1-30, against figures of an independent code (stated in the project's
-// physics notes): 0.374 at 90 deg, 0.446 +- 0.004 at 50. The scatter of one packing is about 0.02, that of the mean
-// 0.004.
+// The mean of 30 packings of the paper's size, seeds 1-30, against an independent code: 0.374 at 90 deg, 0.446 +- 0.004
+// at 50 deg. The scatter of one packing is about 0.02, that of the mean 0.004.
 TEST(Deposition, SolidFractionsOfThePaperSize) {
   const auto mean = [](double angle) {
     double sum = 0.0;
@@ -177,17 +176,17 @@ TEST(Deposition, SolidFractionsOfThePaperSize) {
   EXPECT_NEAR(mean(50.0), 0.446, 0.012);
 }
 
-// Sticking at first touch: a forest, one contact per disc, z = 2 but for those that a later disc happens to touch
-// (none).
+// Sticking at first touch makes a forest with one contact per disc. z is 2, except for discs that a later disc touches
+// by chance (none here).
 TEST(Deposition, SticksOnceAtNinetyDegrees) {
   const Packer packer{.width = 100, .count = 20000, .angle_deg = 90.0};
   const auto grains = packer.pack();
   const auto graph = contact_graph(discs_of(grains, packer.settings().box), packer.settings().box, 1e-9);
-  EXPECT_EQ(graph.contacts(), 20000U + 100U);  // and those of the contiguous row
+  EXPECT_EQ(graph.contacts(), 20000U + 100U);  // the second term: those of the contiguous row
   EXPECT_NEAR(packer.measured().coordination.mean.mean, 2.0, 0.02);
 }
 
-// Going on from the middle, through an archive or not, is tested with the program (tests/cli/test_deposition.py).
+// Resuming in the middle is tested with the program (tests/cli/test_deposition.py).
 TEST(Deposition, StepsAreDiscs) {
   const Packer packer{.count = 10};
   Grains<2> grains;
@@ -196,23 +195,25 @@ TEST(Deposition, StepsAreDiscs) {
   const auto method = make_deposition(settings);
   method->grains_added(grains);
   Team team(1);
-  EXPECT_EQ(method->advance(grains, 4, team).steps, 4);
+  EXPECT_EQ(method->advance(grains, 4.0, team).steps, 4);
   EXPECT_EQ(method->made(), 4);
   EXPECT_FALSE(method->complete());
-  EXPECT_EQ(method->advance(grains, 100, team).steps, 6);
+  const auto rest = method->advance(grains, 100.0, team);
+  EXPECT_EQ(rest.steps, 6);
+  EXPECT_EQ(rest.time, 10.0);
   EXPECT_TRUE(method->complete());
   EXPECT_EQ(grains.size(), 10U);
 }
 
-// Nothing below: a disc that falls for ever is trouble, not an endless loop.
-TEST(Deposition, FallsForEver) {
+// With nothing below, a disc that falls without end is reported as trouble, not an endless loop.
+TEST(Deposition, FallWithoutEndIsTrouble) {
   auto settings = Packer{}.settings();
   settings.floor = -std::numeric_limits<double>::infinity();
   Grains<2> grains;
   const auto method = make_deposition(settings);
   method->grains_added(grains);
   Team team(1);
-  const auto report = method->advance(grains, 1, team);
+  const auto report = method->advance(grains, 1.0, team);
   EXPECT_TRUE(report.trouble);
   EXPECT_EQ(report.steps, 0);
 }

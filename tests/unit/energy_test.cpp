@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-// The account of the energy closes, and its entries are what they are called.
+// The energy budget closes, and each of its terms is right.
 
 namespace repose {
 namespace {
@@ -28,8 +28,9 @@ SoftSettings<2> audited(double time_step, double gravity) {
   return settings;
 }
 
-// A head-on impact: what is missing afterwards is what the dashpot took. The leapfrog account closes exactly but for
-// the elastic energy, which it follows to the second order of w dt = 0.014; apart again nothing of that is left.
+// A head-on impact: the lost kinetic energy is that dissipated by the dashpot. The leapfrog budget closes exactly
+// except for the elastic energy, which is accurate to second order in w dt = 0.014; after separation this error is
+// gone.
 TEST(Energy, HeadOnImpact) {
   World world(laws(Hooke{1e4, 0.3}, None{}), audited(1e-4, 0.0));
   world.add({{0.0, 0.0}}, {{1.0, 0.0}});
@@ -48,8 +49,8 @@ TEST(Energy, HeadOnImpact) {
   EXPECT_LT(worst, 1e-4);
 }
 
-// A disc slides on a plane until it rolls: 2/3 of its speed is left, so 1/3 of the kinetic energy has gone into
-// friction at the wall.
+// A disc slides on a wall until it rolls. 2/3 of its speed is left, so friction at the wall has dissipated 1/3 of the
+// kinetic energy.
 TEST(Energy, SlideToRoll) {
   auto settings = audited(1e-4, 1.0);
   settings.walls = {Wall<2>{.point = {}, .normal = {{0.0, 1.0}}}};
@@ -63,8 +64,8 @@ TEST(Energy, SlideToRoll) {
   EXPECT_EQ(end.damping, 0.0);
 }
 
-// A piston pushes a pile together against its dashpots and friction, and is paid for: the work of its force (times its
-// way, less its own kinetic energy and drag, which are outside) is in the account. So is that of a load.
+// A piston compresses a pile against dashpots and friction. The work of its force, minus its own kinetic energy and its
+// drag, which are outside the budget, is in the budget. So is the work of a load.
 TEST(Energy, PistonAndLoad) {
   auto settings = audited(2e-4, 0.0);
   settings.walls = {
@@ -90,9 +91,9 @@ TEST(Energy, PistonAndLoad) {
   EXPECT_NEAR(end.error(), 0.0, 1e-3 * end.put_in());
 }
 
-// Any law with any other: a crowd that falls into a box; energies of the order of 1000 close to a part in a thousand,
-// the second order of the step in some thousand impacts. The cumulative law stores less than it returns when the normal
-// force changes (docs/physics/soft.md): that is booked as friction, not as an error.
+// All combinations of laws, with grains that fall into a box. Energies of the order of 1000 close to a part in a
+// thousand: second order of the step in some thousand impacts. The cumulative law may return more than it stored when
+// the normal force changes (docs/physics/soft.md); this counts as friction, not as an error.
 TEST(Energy, EveryLawCloses) {
   for (const auto& normal : testing::every_normal_law()) {
     for (const auto& tangential : testing::every_tangential_law()) {
@@ -114,7 +115,7 @@ TEST(Energy, EveryLawCloses) {
   }
 }
 
-// What leaves the box takes its energy along.
+// A grain that leaves the box takes its energy along.
 TEST(Energy, LostGrains) {
   auto settings = audited(1e-3, 1.0);
   settings.box.floor = -3.0;
@@ -125,7 +126,7 @@ TEST(Energy, LostGrains) {
   world.refresh();
   ASSERT_EQ(world.grains.size(), 1U);
   const auto end = world.energy();
-  // A leapfrog fall starts (g dt)^2 / 8 low.
+  // The first half kick of leapfrog lowers the energy of a fall by (g dt)^2 / 8.
   EXPECT_NEAR(end.lost, 2.0 + 0.125, 1e-6);
   EXPECT_NEAR(end.error(), 0.0, 1e-6);
 }

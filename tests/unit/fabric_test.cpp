@@ -13,12 +13,12 @@ namespace repose {
 namespace {
 
 Fabric read(const Discs& discs, const Slab& slab, std::size_t bins = 36) {
-  const auto fabric = read_fabric(discs, contact_graph(discs, slab.box, 1e-9), slab, bins, 4);
+  const auto fabric = measure_fabric(discs, contact_graph(discs, slab.box, 1e-9), slab, bins, 4);
   EXPECT_TRUE(fabric);
   return fabric.value_or(Fabric{});
 }
 
-/// Pairs of touching discs far apart, each leaning by one of these angles [deg] from the vertical.
+/// Pairs of touching discs, far from each other. Each pair leans by one of these angles [deg] from the vertical.
 Discs pairs_leaning(const std::vector<double>& angles) {
   Discs discs;
   for (std::size_t k = 0; k < angles.size(); ++k) {
@@ -55,7 +55,7 @@ TEST(Fabric, of_the_triangular_lattice_is_isotropic) {
   }
 }
 
-TEST(Fabric, of_the_square_lattice_has_the_fourth_harmonic_alone) {
+TEST(Fabric, of_the_square_lattice_has_only_the_fourth_harmonic) {
   const auto fabric = read(square_packing(12, 40), slab_between(8.25, 29.25, sides(12.0)));
   EXPECT_EQ(fabric.contacts, 2u * 12u * 21u);
   EXPECT_NEAR(fabric.all.anisotropy.mean, 0.0, 1e-12);
@@ -133,13 +133,13 @@ TEST(Fabric, contacts_count_by_their_contact_point) {
   discs.add({{10.0, 4.0}}, 3.0);
   const auto box = sides(20.0);
   const auto graph = contact_graph(discs, box, 1e-9);
-  EXPECT_TRUE(read_fabric(discs, graph, slab_between(0.9, 1.1, box), 36, 2));
-  EXPECT_FALSE(read_fabric(discs, graph, slab_between(1.1, 4.1, box), 36, 2));
+  EXPECT_TRUE(measure_fabric(discs, graph, slab_between(0.9, 1.1, box), 36, 2));
+  EXPECT_FALSE(measure_fabric(discs, graph, slab_between(1.1, 4.1, box), 36, 2));
 }
 
-TEST(Fabric, of_sticking_discs_is_that_of_the_notes) {
-  // Critical angle 90 degrees, 32 x 1000, independent implementation: bulk values 0.742 and 30.3 degrees. The text's
-  // 2/3 and 31.7 ignore shadowing.
+TEST(Fabric, of_sticking_discs_agrees_with_an_independent_code) {
+  // Critical angle 90 degrees, 32 x 1000. An independent implementation gives 0.742 and 30.3 degrees in bulk. The
+  // values 2/3 and 31.7 of the text ignore shadowing.
   std::vector<double> anisotropies;
   std::vector<double> directions;
   std::vector<double> errors;
@@ -153,7 +153,7 @@ TEST(Fabric, of_sticking_discs_is_that_of_the_notes) {
   }
   const auto anisotropy = mean_of(anisotropies);
   const auto direction = mean_of(directions);
-  EXPECT_NEAR(anisotropy.mean, 0.742, 4.0 * anisotropy.error + 0.005);  // the width of 32 leaves its trace
+  EXPECT_NEAR(anisotropy.mean, 0.742, 4.0 * anisotropy.error + 0.005);  // 0.005: effect of the small width of 32
   EXPECT_NEAR(direction.mean, 30.3, 4.0 * direction.error + 0.2);
   EXPECT_NEAR(std::sqrt(mean_of(errors).mean) / direction.deviation, 1.0, 0.4);
 }

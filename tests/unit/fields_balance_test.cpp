@@ -13,16 +13,16 @@
 namespace repose {
 namespace {
 
-/// Integral of the standard normal distribution function up to z.
+/// The integral of the standard normal distribution function up to z.
 double integrated_normal(double z) {
   return 0.5 * z * std::erfc(-z / std::numbers::sqrt2) + std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi);
 }
 
-// The branch integral telescopes: d_b stress_ab = -sum_i F_ia W(r - r_i) + support_a for any contact forces, F_i their
-// sum on grain i. Integrated over x, and averaged exactly over the rows of cells, what a cut carries is
+// The branch integral telescopes: d_b stress_ab = -sum_i F_ia W(r - r_i) + support_a for any contact forces, with F_i
+// their sum on grain i. Integrated over x, and averaged exactly over the rows of cells, a cut carries
 //   sum_i F_ia above(y_i) - sum_c support_ca above(y_c),
-// above: the mean over the row of the share of a Gaussian that lies over y. No balance of the grains is assumed.
-// Tolerance: of the quadrature along branches of 2.5 widths.
+// where above(y) is the fraction of a Gaussian above y, averaged over the row. The grains need not be in equilibrium.
+// Tolerance: that of the quadrature along branches of 2.5 widths.
 TEST(Fields, EveryRowCarriesTheForcesAboveIt) {
   constexpr int side = 12;
   for (const bool wraps : {false, true}) {
@@ -71,7 +71,7 @@ TEST(Fields, EveryRowCarriesTheForcesAboveIt) {
         const auto second = static_cast<std::size_t>(contact.second);
         place.push_back(heap[first] ? grains.line[first].position
                                     : grains.line[first].position - contact.normal * contact.first_lever);
-        force.push_back(force_of(contact));  // of the first grain; of a support, less its force on the heap
+        force.push_back(force_of(contact));  // force on the first grain; for a support, minus its force on the heap
         place.push_back(grains.line[second].position);
         force.push_back(-force_of(contact));
       }

@@ -18,7 +18,7 @@ double sum(const std::vector<double>& values) { return std::accumulate(values.be
 
 std::vector<bool> all_of(const Grains<2>& grains) { return std::vector<bool>(grains.size(), true); }
 
-/// Discs of many sizes at random places.
+/// Discs of many sizes at random positions.
 Grains<2> scattered(int count, double width, double height) {
   Grains<2> grains;
   for (int k = 0; k < count; ++k) {
@@ -33,7 +33,7 @@ Grains<2> scattered(int count, double width, double height) {
   return grains;
 }
 
-// The Gaussian is averaged over cells without error, so only rounding of some 1e6 additions is left.
+// The Gaussian is averaged over cells exactly, so the only error is rounding of some 1e6 additions.
 TEST(Fields, IntegralOfDensityIsTheMass) {
   const auto grains = scattered(300, 40.0, 20.0);
   double mass = 0.0;
@@ -65,13 +65,13 @@ TEST(Fields, OnlyGrainsOfTheHeapCount) {
   EXPECT_LT(fields.y.back(), 12.0);
 }
 
-TEST(Fields, NothingThere) {
+TEST(Fields, EmptyWithoutGrains) {
   const Grains<2> none;
   EXPECT_TRUE(coarse_grained(none, {}, {}, {}, 1.0).density.empty());
 }
 
-// A cell of a periodic box is no wider than it, so that no grid of four million reaches from 0 to 1e9.
-TEST(Fields, FlownAwayInAPeriodicBox) {
+// A cell is no wider than a periodic box, so no grid of four million cells can extend from 0 to 1e9.
+TEST(Fields, EmptyIfAGrainIsFarAwayInAPeriodicBox) {
   Grains<2> grains;
   grains.add(unit_disc(0.0, 0.0), 0);
   grains.add(unit_disc(0.0, 1e9), 1);
@@ -85,8 +85,8 @@ TEST(Fields, FlownAwayInAPeriodicBox) {
   EXPECT_NEAR(sum(far.density) * far.cell * far.cell, 2.0, 1e-12);
 }
 
-// A plane Gaussian about a single disc, from its definition; the cell average of a function f differs from its value in
-// the middle by cell^2 laplace(f) / 24 and terms of cell^4, which are 1.2e-5 at most here.
+// The Gaussian of a single disc, from its definition. The average of a function f over a cell differs from its value at
+// the centre by cell^2 laplace(f) / 24 and terms of order cell^4, which are at most 1.2e-5 here.
 TEST(Fields, DensityOfOneDiscIsTheGaussian) {
   Grains<2> grains;
   grains.add(unit_disc(0.3, -0.2), 0);
@@ -103,7 +103,7 @@ TEST(Fields, DensityOfOneDiscIsTheGaussian) {
   }
 }
 
-// Liffman et al. (1992), eqs 42 and 44, and the balance of every disc: what the pile below is checked by.
+// The pile of the tests below obeys Liffman et al. (1992), eqs 42 and 44, and every disc is in balance.
 TEST(Fields, LatticePileIsInBalance) {
   const auto pile = lattice_pile(45);
   ASSERT_EQ(pile.grains.size(), 1035U);
@@ -126,8 +126,8 @@ TEST(Fields, LatticePileIsInBalance) {
 // corner disc, n_l = x - y/sqrt(3) + 1/2 in the middle of a contact, n_r = 44 - x - y/sqrt(3) + 1/2. Sums of f b over a
 // lattice cell of area sqrt(3)/2 give
 //   s_yy = (n_l + n_r)/2, s_xx = (n_l + n_r)/6, s_xy = s_yx = (n_r - n_l) sqrt(3)/6.
-// A Gaussian leaves linear fields as they are. What is left for w = 1: the ripple of the lattice, damped by
-// exp(-(4 pi/sqrt(3))^2 w^2/2) = 4e-12, and the surfaces, 7 widths away: 1e-12. Asked: 1e-9.
+// A Gaussian does not change linear fields. For w = 1 two errors remain: the ripple of the lattice, damped by
+// exp(-(4 pi/sqrt(3))^2 w^2/2) = 4e-12, and the surfaces, 7 widths away: 1e-12. Tolerance: 1e-9.
 TEST(Fields, StressOfTheLatticePile) {
   const auto pile = lattice_pile(45);
   const double width = 1.0;
@@ -154,8 +154,8 @@ TEST(Fields, StressOfTheLatticePile) {
   EXPECT_GT(compared, 20U);
 }
 
-// The force of the ground on the pile per length of base, read off the field of supports: the base discs lie a diameter
-// apart, so N = 23 everywhere away from the ends, and H = (n_l - n_r)/(2 sqrt 3) m g on the ground, the opposite on the
+// The force of the ground on the pile per length of base, from the field of supports. The base discs lie a diameter
+// apart, so N = 23 everywhere except near the ends, and H = (n_l - n_r)/(2 sqrt 3) m g on the ground, opposite on the
 // pile (Liffman et al. 1992, eqs 42, 44). The ripple of the row is damped by exp(-2 pi^2) = 3e-9 for w = 1.
 TEST(Fields, BaseProfileOfTheLatticePile) {
   const auto pile = lattice_pile(45);
@@ -197,10 +197,10 @@ TEST(Fields, TotalsOfStressAndSupport) {
   for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(sum(fields.stress[k]) * cell, fb[k / 2][k % 2], 1e-10);
 }
 
-// What a horizontal cut carries is the weight above it less what the supports carry there: the balance of forces,
-// integrated over x. The fields are averages over rows: the mean over a row of the load above, R, is its mean at the
-// two edges less cell^2/12 R'' (here from the loads of the rows beside it), and terms of cell^4, below 0.1 % of the
-// weight.
+// A horizontal cut carries the weight above it minus the force of the supports above it: the balance of forces,
+// integrated over x. The fields are averages over rows. The mean over a row of the load above, R, is the mean of its
+// values at the two edges minus cell^2/12 R'' (here from the loads of the neighbouring rows), up to terms of order
+// cell^4, below 0.1 % of the weight.
 TEST(Fields, EveryCutCarriesTheWeightAboveIt) {
   const auto pile = lattice_pile(20);
   const auto fields = coarse_grained(pile.grains, pile.contacts, all_of(pile.grains), {}, 1.5);
@@ -222,10 +222,10 @@ TEST(Fields, EveryCutCarriesTheWeightAboveIt) {
     above += load[row];
   }
   EXPECT_NEAR(above, 0.0, 1e-9);
-  EXPECT_GT(most, 0.6 * weight);  // the base lies within a width of the cut that carries most
+  EXPECT_GT(most, 0.6 * weight);  // the base lies within a width of the cut with the largest load
 }
 
-// Across the side of a periodic box the branch is the short one.
+// Across the side of a periodic box the branch follows the nearest image.
 TEST(Fields, PeriodicBranch) {
   Box<2> box;
   box.periodic = true;

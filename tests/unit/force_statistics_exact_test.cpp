@@ -37,13 +37,13 @@ double integral(const std::vector<double>& density, double bin_width) {
   return sum;
 }
 
-// Four contacts count, of mean force 1: f = 0.25, 0.25, 0.75, 2.75 in the bins 2, 2, 7, 27. One slides, one is above
-// the mean; the fifth slides as well but carries no more than the threshold. Tolerance: rounding of sums of four.
+// Four contacts with mean force 1 count: f = 0.25, 0.25, 0.75, 2.75 in the bins 2, 2, 7, 27. One slides, one is above
+// the mean. The fifth also slides but is not above the threshold. Tolerance: rounding of sums of four numbers.
 TEST(ForceStatisticsExact, HandMade) {
   Contacts<2> contacts;
   contacts.list = {contact(0.25, 180.0), contact(2.75, -85.0), contact(0.25, 95.0, true), contact(0.75, 33.0),
                    contact(0.125, 33.0, true)};
-  // An axis a trace below the horizontal is horizontal, not at the end of the last bin.
+  // An axis just below the horizontal counts as horizontal, not as the end of the last bin.
   contacts.list[0].normal = {{1.0, -1e-18}};
   const auto statistics = measure_force_statistics(contacts, 0.125);
   ASSERT_TRUE(statistics);
@@ -60,7 +60,7 @@ TEST(ForceStatisticsExact, HandMade) {
   }
   ASSERT_EQ(statistics->direction_deg.size(), 18U);
   for (std::size_t k = 0; k < 18; ++k) {
-    const double count = k == 9 ? 2.0 : k == 0 || k == 3 ? 1.0 : 0.0;  // the axes of -85 and 95 degrees are one
+    const double count = k == 9 ? 2.0 : k == 0 || k == 3 ? 1.0 : 0.0;  // -85 and 95 degrees are the same axis
     EXPECT_EQ(statistics->direction_deg[k], 10.0 * static_cast<double>(k) + 5.0);
     EXPECT_NEAR(statistics->direction_all[k], count / 40.0, 1e-15) << k;
     EXPECT_NEAR(statistics->direction_strong[k], k == 9 ? 0.1 : 0.0, 1e-15) << k;
@@ -69,7 +69,7 @@ TEST(ForceStatisticsExact, HandMade) {
   EXPECT_NEAR(statistics->strong_fraction, 0.25, 1e-15);
 }
 
-// Rounding of sums of 1e5 terms stays far below 1e-12 as each is a whole number over a common one.
+// Rounding of sums of 1e5 terms stays far below 1e-12, because each is a whole number over a common denominator.
 TEST(ForceStatisticsExact, IntegralIsOne) {
   const auto statistics = measure_force_statistics(exponential_forces(100000), 0.6);
   ASSERT_TRUE(statistics);
@@ -78,10 +78,10 @@ TEST(ForceStatisticsExact, IntegralIsOne) {
   EXPECT_NEAR(integral(statistics->direction_strong, 10.0), 1.0, 1e-12);
 }
 
-// Exponential forces: P(f) = exp(-f), averaged over a bin. Its B bins that expect 100 counts or more have a chi-squared
-// by the errors given of B within 4 sqrt(2 B): too small errors fail it as well as too large ones. The mean is within 4
-// standard errors; so is the share above it, of binomial error, and the density of each direction, which is uniform
-// (4.5 standard errors: eighteen of them).
+// Exponential forces: P(f) = exp(-f), averaged over a bin. The B bins with 100 expected counts or more have, with the
+// reported errors, a chi-squared of B within 4 sqrt(2 B), so errors that are too small or too large both fail. The mean
+// is within 4 standard errors, and so is the fraction above it (binomial error). The density of each of the eighteen
+// directions, which is uniform, is within 4.5 standard errors.
 TEST(ForceStatisticsExact, ExponentialForces) {
   constexpr std::size_t count = 100000;
   const auto statistics = measure_force_statistics(exponential_forces(count), 0.0);
@@ -106,7 +106,7 @@ TEST(ForceStatisticsExact, ExponentialForces) {
   }
 }
 
-// A run that failed may leave forces that are not numbers: they do not count.
+// A failed run may leave forces that are not numbers. They do not count.
 TEST(ForceStatisticsExact, ForcesThatAreNotNumbers) {
   Contacts<2> contacts;
   contacts.list = {contact(std::numeric_limits<double>::infinity(), 0.0)};
@@ -118,7 +118,7 @@ TEST(ForceStatisticsExact, ForcesThatAreNotNumbers) {
   EXPECT_EQ(statistics->mean, 2.0);
 }
 
-// None of ten equal forces is above their mean, whatever the rounding of a sum of tenths.
+// None of ten equal forces is above their mean, independently of the rounding of a sum of tenths.
 TEST(ForceStatisticsExact, EqualForcesAreNotStrong) {
   Contacts<2> contacts;
   for (int k = 0; k < 10; ++k) contacts.list.push_back(contact(1.0, 45.0));

@@ -13,7 +13,7 @@
 namespace repose {
 namespace {
 
-/// A network made by hand; discs in a row of fixed ones (0 to 4) and two columns on them.
+/// A network made by hand: a row of fixed discs (0 to 4) with two columns on it.
 ///
 ///        7   9
 ///        6   8        10 (alone)
@@ -73,8 +73,9 @@ TEST(ForceStatistics, HandMadeNetwork) {
   EXPECT_DOUBLE_EQ(statistics->direction_deg[9], 95.0);
 }
 
-// A sum of n exponentials over their mean: P(f) = exp(-f) up to 1/n. Bins of 0.1: the mean of exp(-f) over a bin
-// differs from the middle by 0.04 %. Tolerance: 5 standard errors of the count, for 30 bins a chance of 2e-5.
+// n exponential forces over their mean: P(f) = exp(-f) up to terms of order 1/n. In bins of 0.1 the mean of exp(-f)
+// differs from its value at the centre by 0.04 %. Tolerance: 5 standard errors of the count; 30 bins exceed it with
+// probability 2e-5.
 TEST(ForceStatistics, ExponentialForces) {
   constexpr std::uint64_t count = 40000;
   Contacts<2> contacts;

@@ -36,7 +36,7 @@ class GrainsFileTest : public ::testing::Test {
     return read_grains_file(path("f"));
   }
 
-  /// What a file is refused for, without its path, which each line must begin with.
+  /// The problems of a file, without its path, with which each line must begin.
   std::vector<std::string> refused(const std::string& text) const {
     try {
       read(text);
@@ -96,7 +96,7 @@ TEST_F(GrainsFileTest, ProblemsOfTables) {
   EXPECT_EQ(refused("x,y,radius,velx\n1,2,1,2\n"),
             (Lines{"1: velx: unknown column; known are x, y, radius or diameter, vx, vy, spin, mass, id, material, "
                    "fixed, base"}));
-  EXPECT_EQ(refused("x,y,radius,position_x\n1,2,1,2\n"), (Lines{"1: position_x: is there twice"}));
+  EXPECT_EQ(refused("x,y,radius,position_x\n1,2,1,2\n"), (Lines{"1: position_x: occurs twice"}));
   EXPECT_EQ(
       refused("# units\nx,y,radius\n1,2\n1,2,3,4\nnan,1,1\n1,inf,1\n1,1,one\n1,1,0\n1,1,-2\n1,,1\n1e999,1,1\n"),
       (Lines{"3: has 2 values; must have 3", "4: has 4 values; must have 3", "5: x = nan: must be a finite number",
@@ -108,7 +108,7 @@ TEST_F(GrainsFileTest, ProblemsOfTables) {
             (Lines{"2: mass = 0: must be > 0 [M]", "3: id = 2.5: must be a whole number",
                    "4: material = -1: must be a whole number from 0 to 65535",
                    "5: material = 65536: must be a whole number from 0 to 65535", "6: fixed = 2: must be 0 or 1"}));
-  EXPECT_EQ(refused("id,x,y,radius\n4,0,0,1\n5,0,0,1\n4,0,0,1\n"), (Lines{"4: id = 4: is in line 2 already"}));
+  EXPECT_EQ(refused("id,x,y,radius\n4,0,0,1\n5,0,0,1\n4,0,0,1\n"), (Lines{"4: id = 4: is already in line 2"}));
 }
 
 TEST_F(GrainsFileTest, ManyProblemsAreCounted) {
@@ -120,7 +120,7 @@ TEST_F(GrainsFileTest, ManyProblemsAreCounted) {
   EXPECT_EQ(lines[20], " and 13 more problems");
 }
 
-TEST_F(GrainsFileTest, FilesThatAreNoText) {
+TEST_F(GrainsFileTest, BinaryFilesAreRefused) {
   EXPECT_EQ(refused(std::string("x,y,radius\n\0", 12)),
             (Lines{" is binary; must be a table of text or a LAMMPS text dump"}));
   EXPECT_EQ(refused("\x89HDF\r\n\x1a\n"), (Lines{" is binary; must be a table of text or a LAMMPS text dump"}));
@@ -167,7 +167,7 @@ TEST_F(GrainsFileTest, TheLastSnapshotOfADumpCounts) {
   EXPECT_EQ(rows[0].position, (Vec<2>{{2.0, 3.0}}));
 }
 
-TEST_F(GrainsFileTest, ASnapshotOfADumpCanBeAskedFor) {
+TEST_F(GrainsFileTest, ASnapshotOfADumpCanBeChosen) {
   std::ofstream(path("f")) << snapshot("x y radius", "1 1 1\n", 1, 10) +
                                   snapshot("x y radius", "2 2 1\n3 3 1\n", 2, 20) +
                                   snapshot("x y radius", "bad 4 1\n", 1, 30) + "ITEM: TIMESTEP\n40\n";
@@ -213,10 +213,10 @@ TEST_F(GrainsFileTest, ProblemsOfDumps) {
   only("ITEM: TIME\n3\n", "1: no snapshot: no ITEM: TIMESTEP");
   only("ITEM: TIMESTEP\n3\nITEM: NUMBER OF ENTRIES\n1\n", "3: is a dump of contacts (local), not of grains");
   only("ITEM: TIMESTEP\n3\nITEM: COLOUR\n1\n", "3: is an unknown ITEM: of a LAMMPS text dump");
-  only(snapshot("id x y radius", "3 1 1 1\n3 2 2 1\n", 2), "11: id = 3: is in line 10 already");
+  only(snapshot("id x y radius", "3 1 1 1\n3 2 2 1\n", 2), "11: id = 3: is already in line 10");
 }
 
-/// Numbers that take all their 17 digits, extremes among them.
+/// Numbers that need all 17 digits, including extreme ones.
 Moment awkward_moment() {
   Moment moment;
   moment.time = 1.0 / 3.0;

@@ -31,7 +31,7 @@ class Hdf5FileTest : public ::testing::Test {
   fs::path folder_;
 };
 
-TEST_F(Hdf5FileTest, NothingIsThereUntilCommit) {
+TEST_F(Hdf5FileTest, NothingExistsUntilCommit) {
   {
     Hdf5File file(path("a.h5"));
     file.dataset("x", std::vector<double>{1.0, 2.0}, 1, "L", "test");

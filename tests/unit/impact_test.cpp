@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-// Head-on impacts against closed forms, and the method against the impacts.
+// Head-on impacts against closed forms, and the soft method against the impacts.
 
 namespace repose {
 namespace {
@@ -17,8 +17,8 @@ namespace {
 using testing::settings_2d;
 using testing::SoftWorld;
 
-// A pull ends within a step at the edge of the reach: some 1e-5 there, else the fourth order of the step.
-// Restitution of a spring and dashpot that may not pull (Schwager & Poeschel 2007), and of one that may.
+/// The restitution of a spring and dashpot that may not pull (Schwager & Poeschel 2007), or that may. An attraction
+/// ends within a step at the edge of the reach, with an error of some 1e-5; otherwise the error is of fourth order.
 double hooke_restitution(double damping, bool attraction) {
   const double b = damping;  // C / (2 m_red) for k = m_red = 1
   const double w = std::sqrt(1.0 - b * b);
@@ -29,7 +29,8 @@ double hooke_restitution(double damping, bool attraction) {
 TEST(Impact, HookeAgainstTheClosedForm) {
   for (const bool attraction : {false, true}) {
     for (const double z : {0.0, 0.05, 0.2, 0.5, 0.7}) {
-      // With m_ij = 2 m_red, as for two free grains, z of nominal critical is sqrt(2) z of the pair's.
+      // With m_ij = 2 m_red, as for two free grains, z of the nominal critical damping is sqrt(2) z of that of the
+      // pair.
       const Hooke law{800.0, z / std::numbers::sqrt2, attraction};
       const auto impact = head_on({law}, {.mass = 1.4, .reduced_mass = 0.7, .diameter = 1.0, .speed = 0.3});
       EXPECT_NEAR(impact.restitution, hooke_restitution(z, attraction), attraction ? 1e-4 : 2e-6) << z << attraction;
@@ -57,7 +58,7 @@ TEST(Impact, HertzAgainstTheClosedForm) {
   }
 }
 
-// Damping that goes with the local stiffness takes the same share at any speed.
+// A dashpot relative to the local stiffness dissipates the same fraction at any speed.
 TEST(Impact, HertzRestitutionDoesNotDependOnSpeed) {
   const auto at = [](double speed) {
     return head_on({Hertz{3e4, 0.2}}, {.mass = 1.0, .reduced_mass = 0.5, .diameter = 1.0, .speed = speed}).restitution;
@@ -66,7 +67,7 @@ TEST(Impact, HertzRestitutionDoesNotDependOnSpeed) {
   EXPECT_LT(at(1.0), 0.8);
 }
 
-NormalLaw asked_for(NormalLaw law, double restitution) {
+NormalLaw with_request(NormalLaw law, double restitution) {
   std::visit(
       [&](auto& one) {
         one.damping_kind = DampingKind::restitution;
@@ -77,14 +78,12 @@ NormalLaw asked_for(NormalLaw law, double restitution) {
   return law;
 }
 
-// What is asked for is what comes out: of the law, of any masses where it does not depend on speed, and of two grains
-// or a grain and a fixed one under the method itself
-// (damping from the half step is of first order in w dt = 0.006: 5e-4 seen).
-TEST(Impact, RestitutionAsAsked) {
+// The law has the requested restitution; if it does not depend on speed, for any masses.
+TEST(Impact, RestitutionAsRequested) {
   for (const double e : {0.1, 0.3, 0.6, 0.9, 0.99, 1.0}) {
     for (const NormalLaw& given :
          {NormalLaw(Hooke{2e3}), NormalLaw(Hertz{2e4}), NormalLaw(Continuous::make(36, 1.2, 0.5, 1.0))}) {
-      const auto law = with_restitution(asked_for(given, e), 1.0, 1.0);
+      const auto law = with_restitution(with_request(given, e), 1.0, 1.0);
       EXPECT_NEAR(head_on({law}, {.mass = 1.0, .reduced_mass = 0.5, .diameter = 1.0, .speed = 1.3}).restitution, e,
                   1e-5);
       if (!std::holds_alternative<Continuous>(law)) {
@@ -95,10 +94,12 @@ TEST(Impact, RestitutionAsAsked) {
   }
 }
 
+// Two free grains, or a free and a fixed one, have the requested restitution under the method. Damping with velocities
+// of the half step is of first order in w dt = 0.006, which gives an error of 5e-4.
 TEST(Impact, RestitutionOfGrainsOfAnySize) {
   for (const double e : {0.2, 0.7}) {
     for (const NormalLaw& given : {NormalLaw(Hooke{2e3}), NormalLaw(Hertz{2e4})}) {
-      const auto law = any_pair_law({with_restitution(asked_for(given, e), 1.0, 1.0), None{}, {}, {}});
+      const auto law = any_pair_law({with_restitution(with_request(given, e), 1.0, 1.0), None{}, {}, {}});
       for (const auto& [radius, fixed] : {std::pair{0.5, false}, std::pair{0.2, false}, std::pair{0.5, true}}) {
         SoftWorld<2, AnyPairLaw> world(law, settings_2d(1e-4, 0.0));
         const auto first = world.add({{0.0, 0.0}}, {{0.0, 0.0}}, 0.0, 0.5, fixed);
@@ -111,7 +112,7 @@ TEST(Impact, RestitutionOfGrainsOfAnySize) {
 }
 
 TEST(Impact, RestitutionThatNoDampingGives) {
-  const auto law = with_restitution(asked_for(Hooke{2e3}, 1e-9), 1.0, 1.0);
+  const auto law = with_restitution(with_request(Hooke{2e3}, 1e-9), 1.0, 1.0);
   EXPECT_TRUE(std::isnan(std::get<Hooke>(law).damping));
 }
 
@@ -121,8 +122,8 @@ TEST(Impact, OverlapAtRest) {
   EXPECT_NEAR(static_overlap({Continuous::make(36, 1.2, 0.5, 1.0)}, 1.0, 1.0, 1.0), 0.0, 1e-12);
 }
 
-// A fixed overlap and a small slip: the force is ratio times the normal slope times the slip; pressing harder leaves
-// it, letting go lowers it.
+// At a fixed overlap and a small slip displacement, the force is ratio times the normal stiffness times the
+// displacement. Pressing harder keeps the force, releasing reduces it.
 TEST(MindlinLaw, ClosedForm) {
   const Mindlin law{0.5, 0.8};
   const Hertz normal{1e4, 0.0};
@@ -143,7 +144,7 @@ TEST(MindlinLaw, ClosedForm) {
               1e-12);
 }
 
-// A disc that rolls on a plane under a torque of mu_r R N slows down by 2/3 mu_r g (I = m R^2 / 2).
+// A disc that rolls on a wall under a torque of mu_r R N decelerates by 2/3 mu_r g (I = m R^2 / 2).
 TEST(RollingSpring, RollingDecays) {
   auto settings = settings_2d(2e-4, 1.0);
   settings.walls = {Wall<2>{.point = {}, .normal = {{0.0, 1.0}}}};
@@ -153,12 +154,12 @@ TEST(RollingSpring, RollingDecays) {
   world.advance(50000);
   EXPECT_NEAR(world[disc].velocity[0], 1.0 - 2.0 / 3.0 * 0.06 * 10.0, 2e-3);
   world.advance(150000);
-  // v^2 / (2 a) = 12.5, then it stands, held by the spring: 2/3 F / k of it, less than 1e-3.
+  // It stops after v^2 / (2 a) = 12.5, held by the spring, whose displacement 2/3 F / k is less than 1e-3.
   EXPECT_NEAR(world[disc].position[0], 12.5, 0.02);
   EXPECT_LT(std::fabs(world[disc].velocity[0]), 1e-6);
 }
 
-// On a slope it stays where tan(angle) < mu_r, and beyond rolls down with 2/3 g (sin - mu_r cos).
+// On a slope a disc rests if tan(angle) < mu_r, and otherwise rolls down with the acceleration 2/3 g (sin - mu_r cos).
 TEST(RollingSpring, SlopeOfRest) {
   for (const double slope : {0.15, 0.25}) {
     const double angle = std::atan(slope);
@@ -177,7 +178,7 @@ TEST(RollingSpring, SlopeOfRest) {
   }
 }
 
-// The pair feels equal and opposite rolling torques: two discs that turn against each other come to a common end.
+// The rolling torques on a pair are equal and opposite: two discs that rotate against each other stop together.
 TEST(RollingSpring, TorquesAreOpposite) {
   const auto law = any_pair_law({Hooke{1e4, 0.5}, None{}, RollingSpring{0.3, 200.0, 0.1}, ConstantCohesion{5.0}});
   SoftWorld<2, AnyPairLaw> world(law, settings_2d(2e-4, 0.0));

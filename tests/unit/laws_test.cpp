@@ -16,7 +16,7 @@ Touch<double> touch_at(double distance, double cutoff, double closing_speed = 0.
   return make_touch(distance, 1.0 / distance, diameter, cutoff * diameter, closing_speed, mass);
 }
 
-// (3) with the exponent's sign put right: m g at r = s, and 1.2^-37 = 1.2e-3 m g at the cutoff.
+// (3) with the sign of the exponent corrected: m g at r = s, and 1.2^-37 = 1.2e-3 m g at the cutoff.
 TEST(ContinuousLaw, ClosedForm) {
   const auto law = Continuous::make(36, 1.2, 0.5, 1.0);
   EXPECT_DOUBLE_EQ(normal_force(law, touch_at(1.0, 1.2)).elastic, 1.0);
@@ -26,7 +26,7 @@ TEST(ContinuousLaw, ClosedForm) {
   EXPECT_NEAR(normal_force(uneven, touch_at(0.95, 1.2)).elastic, 2.0 * std::pow(1.0 / 0.95, 37.5), 1e-9);
 }
 
-// Dashpot of 2 zeta sqrt(m k) with k = -dF/dr = (n+1) F / r; never attractive unless asked.
+// The dashpot is 2 zeta sqrt(m k) with k = -dF/dr = (n+1) F / r. The force is never attractive unless requested.
 TEST(ContinuousLaw, Damping) {
   auto law = Continuous::make(36, 1.2, 0.5, 1.0);
   const double dashpot = std::sqrt(37.0);
@@ -43,7 +43,8 @@ TEST(HookeLaw, ClosedForm) {
   EXPECT_EQ(normal_force(law, touch_at(0.98, 1.0, -20.0)).total, 0.0);
 }
 
-// The force is minus the slope of the energy, and the stiffness that of the force (central differences, h = 1e-5).
+// The force is minus the derivative of the energy, and the stiffness minus that of the force (central differences,
+// h = 1e-5).
 TEST(NormalLaws, EnergyForceAndStiffnessAgree) {
   const auto check = [](const auto& law) {
     const double mass = 0.8;
@@ -63,7 +64,7 @@ TEST(NormalLaws, EnergyForceAndStiffnessAgree) {
   check(Hertz{700.0, 0.5});
 }
 
-// (5): half the limit at |delta|/d_max = 1 - 0.5^(2/3); against the displacement; (8): C_T = sqrt(m k_T).
+// (5): half the limit at |delta|/d_max = 1 - 0.5^(2/3), opposite to the displacement; (8): C_T = sqrt(m k_T).
 TEST(CumulativeLaw, ClosedForm) {
   const Cumulative law{0.4, 1.214};
   const auto touch = touch_at(1.0, 1.2);
@@ -84,8 +85,8 @@ TEST(CumulativeLaw, WithoutFrictionThereIsNoForce) {
   EXPECT_EQ(delta, 0.0);
 }
 
-// Below the cap a spring; at the cap the spring keeps the length that gives the capped force, so that turning back
-// lowers the force at once.
+// Below the cap the law is a spring. At the cap the slip displacement keeps the value that gives the capped force, so
+// that a reversed slip reduces the force immediately.
 TEST(LinearLaw, SpringThenSlip) {
   const Linear law{0.5, 100.0, 0.0};
   const NormalForce<double> normal{1.0, 1.0};
@@ -97,7 +98,7 @@ TEST(LinearLaw, SpringThenSlip) {
   EXPECT_NEAR(tangential_force(law, touch, normal, -1.0, 0.001, delta), -0.4, 1e-12);
 }
 
-// The frequencies of physics: n = 36 and a fall of 100 give w dt = 0.458 at 0.001, n = 144 1.54; Hooke sqrt(k).
+// Frequencies: n = 36 and a fall of 100 give w dt = 0.458 at dt = 0.001, n = 144 gives 1.54; Hooke has sqrt(k).
 TEST(TimeStep, StiffestContactOfAFall) {
   const auto frequency = [](const NormalLaw& normal, const TangentialLaw& tangential, const GrainSize& mover = {}) {
     return stiffest_contact({normal, tangential, {}, {}}, mover, {}, 1.0, 100.0).frequency;
@@ -105,15 +106,16 @@ TEST(TimeStep, StiffestContactOfAFall) {
   EXPECT_NEAR(frequency(Continuous::make(36, 1.2, 0.5, 1.0), Cumulative{}), 458.1, 0.5);
   EXPECT_NEAR(frequency(Continuous::make(144, 1.047, 0.5, 1.0), Cumulative{}), 1544, 5);
   EXPECT_NEAR(frequency(Hooke{500.0, 0.5}, Cumulative{}), std::sqrt(500.0), 1e-9);
-  // The surface of a disc is three times as light as its centre.
+  // The effective mass at the rim of a disc is a third of its mass.
   EXPECT_NEAR(frequency(Hooke{500.0, 0.5}, Linear{0.5, 500.0, 0.0}), std::sqrt(1500.0), 1e-9);
   EXPECT_NEAR(frequency(Hooke{500.0, 0.5}, Cumulative{}, {0.5, 0.25}), std::sqrt(2000.0), 1e-9);
   // k = 1.5 K sqrt(overlap), 0.4 K overlap^2.5 = 100.
   EXPECT_NEAR(frequency(Hertz{1e4, 0.5}, Mindlin{0.5, 0.2}), std::sqrt(1.5e4 * std::pow(100.0 / 4e3, 0.2)), 1e-9);
 }
 
-// Hooke k = 500, C = sqrt(k); surface k_t = 100, c_t = 10: grains that all spin the same way go unstable first,
-// at K dt^2 + 2 C dt = 4 with K = 24 * 100, C = 24 * 10. Without dashpots it is 2 / sqrt(K) of the stiffer mode.
+// Hooke k = 500, C = sqrt(k); surface k_t = 100, c_t = 10. The mode in which all grains spin in the same sense becomes
+// unstable first, at K dt^2 + 2 C dt = 4 with K = 24 * 100, C = 24 * 10. Without dashpots the limit is 2 / sqrt(K) of
+// the stiffer mode.
 TEST(TimeStep, LargestOfABed) {
   const auto largest = [](double damping, double surface_stiffness, double surface_damping) {
     return largest_step_of_bed({Hooke{500.0, damping}, Linear{0.5, surface_stiffness, surface_damping}, {}, {}}, {}, {},
@@ -125,7 +127,7 @@ TEST(TimeStep, LargestOfABed) {
   EXPECT_NEAR(largest(2.0, 1e-9, 0.0), 4.0 / (24.0 * std::sqrt(500.0) + std::sqrt(576.0 * 500.0 + 4.0 * 3000.0)), 1e-9);
 }
 
-// The viscous law: d m_red v, to the cap.
+// The viscous law is d m_red v up to the cap.
 TEST(ViscousLaw, ClosedForm) {
   double nothing = 0.0;
   const NormalForce<double> normal{1.0, 1.0};
@@ -135,7 +137,7 @@ TEST(ViscousLaw, ClosedForm) {
   EXPECT_EQ(nothing, 0.0);
 }
 
-// A constant attraction where grains overlap; its energy is minus its work.
+// The attraction is constant while grains overlap; the energy is minus its work.
 TEST(Cohesion, ConstantWhereGrainsTouch) {
   const ConstantCohesion law{0.7};
   EXPECT_EQ(attraction(law, touch_at(1.01, 1.2)), 0.0);

@@ -12,7 +12,8 @@ namespace {
 constexpr int rows = 20;
 const double rise = std::sqrt(3.0) / 2.0;
 
-/// A 60-degree lattice pile, apex at x = 0, lowest centres at rise; ids row by row from the bottom left.
+/// A lattice pile at 60 degrees with its apex at x = 0 and its lowest centres at y = rise; ids run row by row from the
+/// bottom left.
 TrackMoment pile(double time) {
   TrackMoment moment{time, {}};
   for (int r = 0; r < rows; ++r) {
@@ -37,7 +38,7 @@ Track quiet() {
   return track;
 }
 
-/// The last `count` grains of row `r` (the right flank) are `shift` further right from moment `from` on.
+/// Moves the last `count` grains of row `r` (the right flank) by `shift` to the right, from time `from` on.
 void push_right(Track& track, int r, int count, std::size_t from, float shift) {
   std::size_t end = 0;
   for (int k = 0; k <= r; ++k) end += static_cast<std::size_t>(rows - k);
@@ -60,20 +61,20 @@ TEST(Motion, NothingMovesInAQuietPile) {
     EXPECT_EQ(row.moved, 0U);
     EXPECT_TRUE(std::isnan(row.depth));
     EXPECT_NEAR(row.kinetic_energy, 0.21, 1e-6);
-    // Bins of two diameters see the flank as steps of that length, which tilts a line over five of them by up to 2 deg.
+    // In bins of two diameters the flank has steps of that length, which tilt a line over five bins by up to 2 deg.
     EXPECT_NEAR(row.angle_left_deg, 60.0, 2.0);
     EXPECT_NEAR(row.angle_right_deg, 60.0, 2.0);
   }
 }
 
-// Two grains of row 4 move at once, then the three of row 5 in the next interval: one avalanche of 5 grains. Two more,
-// after one quiet interval, are another.
+// Two grains of row 4 move in one interval and three grains of row 5 in the next: one avalanche of 5 grains. Two more
+// grains, after a quiet interval, are another avalanche.
 TEST(Motion, PlantedAvalanchesAreFound) {
   auto track = quiet();
   push_right(track, 4, 2, 3, 0.8F);    // between 4 and 6
   push_right(track, 5, 3, 4, 0.8F);    // between 6 and 8
   push_right(track, 7, 2, 6, 0.8F);    // between 10 and 12
-  push_right(track, 9, 5, 9, 0.45F);   // not far enough
+  push_right(track, 9, 5, 9, 0.45F);   // too short
   push_right(track, 11, 1, 12, 0.8F);  // too few
   const auto motion = measure_motion(track, {}, settings(2));
   ASSERT_EQ(motion.avalanches.size(), 2U);
@@ -102,7 +103,7 @@ TEST(Motion, AGrainThatMovesTwiceCountsOnce) {
   EXPECT_EQ(motion.avalanches[0].duration, 4.0);
 }
 
-TEST(Motion, AnAvalancheMayGoOnAtTheEnd) {
+TEST(Motion, AnAvalancheMayLastUntilTheEnd) {
   auto track = quiet();
   push_right(track, 4, 3, 20, 0.8F);
   const auto motion = measure_motion(track, {}, settings(3));
@@ -123,7 +124,7 @@ TEST(Motion, TheSideIsThatOfTheStart) {
 }
 
 // The outermost k grains of a row lie k layers deep: the lowest point of the k-th is (k - 1) rise + 1 below the line
-// through the tops, at right angles to it. The surface of bins of two diameters lies within a grain of that line.
+// through the tops, perpendicular to it. The surface in bins of two diameters lies within a grain of that line.
 TEST(Motion, DepthOfTheMovingLayer) {
   for (const int layers : {1, 3, 5}) {
     auto track = quiet();
@@ -162,8 +163,8 @@ TEST(Motion, GrainsThatLandOrLeaveDoNotCount) {
   EXPECT_TRUE(motion.avalanches.empty());
   EXPECT_EQ(motion.rows[9].grains, 210U);  // was in flight at the start
   EXPECT_EQ(motion.rows[10].grains, 211U);
-  EXPECT_EQ(motion.rows[14].grains, 210U);  // one is not there at the end
-  EXPECT_EQ(motion.rows[15].grains, 210U);  // nor at the start
+  EXPECT_EQ(motion.rows[14].grains, 210U);  // one is missing at the end
+  EXPECT_EQ(motion.rows[15].grains, 210U);  // and at the start
   EXPECT_EQ(motion.rows[16].grains, 211U);
 }
 
@@ -181,7 +182,7 @@ TEST(Motion, BurstsOfKineticEnergy) {
   EXPECT_EQ(motion.bursts[1].duration, 2.0);
 }
 
-// A grain that crosses the side of a periodic box has gone the short way.
+// A grain that crosses the side of a periodic box has the displacement of the nearest image.
 TEST(Motion, PeriodicSide) {
   Box<2> box;
   box.periodic = true;

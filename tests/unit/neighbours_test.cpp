@@ -70,7 +70,7 @@ void move(Grains<D>& grains, double dt) {
   for (auto& grain : grains.line) grain.position += grain.velocity * dt;
 }
 
-/// Moves grains straight on under the rules of the list and compares with brute force at every step.
+/// Moves grains uniformly, rebuilds the list by its own rules, and compares it with brute force at every step.
 template <int D>
 void check_against_brute_force(std::uint64_t seed, int count, double width, bool periodic, double horizon) {
   Box<D> box;
@@ -87,7 +87,7 @@ void check_against_brute_force(std::uint64_t seed, int count, double width, bool
   PairList<D> pairs({.cutoff = cutoff, .skin = 0.3, .horizon = horizon, .gravity = 0.0});
   Team team(2);
   for (int step = 0; step < 40; ++step) {
-    if (pairs.suspect() && pairs.stale(grains)) pairs.build(grains, box, team);
+    if (pairs.may_be_stale() && pairs.stale(grains)) pairs.build(grains, box, team);
     const auto all = listed(grains, pairs);
     for (const auto& pair : touching(grains, box, cutoff)) {
       ASSERT_TRUE(all.contains(pair)) << "pair " << pair.first << ", " << pair.second << " missed in step " << step;
@@ -116,10 +116,10 @@ RC_GTEST_PROP(PairListProperty, MissesNoPair3D, ()) {
   RC_ASSERT(!::testing::Test::HasFailure());
 }
 
-// Histories stay with their pair through any reordering; in 3D the vector turns round where the pair is stored the
-// other way.
+// Slip displacements stay with their pair through any reordering. In 3D the vector changes sign if the pair is stored
+// in the other order.
 template <int D>
-void check_history() {
+void check_slip() {
   const Box<D> box;
   Grains<D> grains = random_grains<D>(5, 200, 8.0, 12.0);
   PairList<D> pairs({.cutoff = 1.2, .skin = 0.3, .horizon = 0.1, .gravity = 0.0});
@@ -136,7 +136,7 @@ void check_history() {
       } else {
         mark = {{static_cast<double>(k + 1), 1.0, -2.0}};
       }
-      pairs.history[k] = mark;
+      pairs.slip[k] = mark;
       by_pair[{std::min(a, b), std::max(a, b)}] = a < b ? mark : swapped(mark);
     }
   }
@@ -152,7 +152,7 @@ void check_history() {
         const auto b = grains.id[pairs.partner[k]];
         swaps += a > b ? 1 : 0;
         const IdPair pair{std::min(a, b), std::max(a, b)};
-        now[pair] = a < b ? pairs.history[k] : swapped(pairs.history[k]);
+        now[pair] = a < b ? pairs.slip[k] : swapped(pairs.slip[k]);
         const auto before = by_pair.find(pair);
         EXPECT_EQ(now[pair], before != by_pair.end() ? before->second : Tangent<D>{});
         ++compared;
@@ -164,10 +164,10 @@ void check_history() {
   EXPECT_GT(swaps, 50U);
 }
 
-TEST(PairList, CarriesHistory2D) { check_history<2>(); }
-TEST(PairList, CarriesHistory3D) { check_history<3>(); }
+TEST(PairList, KeepsSlipDisplacements2D) { check_slip<2>(); }
+TEST(PairList, KeepsSlipDisplacements3D) { check_slip<3>(); }
 
-// A grain that falls freely past a settled heap forces next to no builds: with the look-ahead its way is in the list.
+// A grain that falls freely past a settled heap causes almost no builds, because its larger allowance covers its path.
 TEST(PairList, FreeFlightForcesNoRebuild) {
   const auto builds = [](double horizon) {
     Grains<2> grains;
@@ -185,7 +185,7 @@ TEST(PairList, FreeFlightForcesNoRebuild) {
     Team team(1);
     const double dt = 0.001;
     for (int step = 0; step < 12000; ++step) {
-      if (pairs.suspect() && pairs.stale(grains)) pairs.build(grains, Box<2>{}, team);
+      if (pairs.may_be_stale() && pairs.stale(grains)) pairs.build(grains, Box<2>{}, team);
       for (auto& grain : grains.line) {
         if (grain.position[1] < 50.0) continue;
         grain.velocity[1] -= dt;

@@ -40,7 +40,7 @@ TEST(PackingSlab, lies_about_the_mean_height_above_the_base_centres) {
   EXPECT_EQ(slab->low, 3.0 + 0.4 * 5.0);
   EXPECT_EQ(slab->high, 3.0 + 1.4 * 5.0);
   EXPECT_EQ(centres_in(discs, *slab), (std::vector<std::uint32_t>{2, 3, 4}));
-  // The lower edge is in, the upper one is not.
+  // The lower edge belongs to the slab, the upper one does not.
   EXPECT_TRUE(slab->holds({{2.0, slab->low}}));
   EXPECT_FALSE(slab->holds({{2.0, slab->high}}));
 
@@ -50,7 +50,7 @@ TEST(PackingSlab, lies_about_the_mean_height_above_the_base_centres) {
   EXPECT_EQ(other->high, 8.0);
 }
 
-TEST(PackingSlab, says_why_there_is_none) {
+TEST(PackingSlab, reports_why_there_is_none) {
   const auto box = sides(10.0);
   const auto problem = [&](const Discs& discs, const Box<2>& in, const PackingOptions& options = {}) {
     const auto result = analyse_packing(discs, in, options);
@@ -63,23 +63,23 @@ TEST(PackingSlab, says_why_there_is_none) {
   EXPECT_EQ(problem(base, box), "nothing was deposited");
   Discs afloat;
   afloat.add({{1.0, 5.0}}, 0.5);
-  EXPECT_EQ(problem(afloat, box), "there is no base disc: the height of the base must be given");
+  EXPECT_EQ(problem(afloat, box), "without base discs the height of the base must be given");
   PackingOptions on_floor;
   on_floor.slab.base_height = 0.5;
   EXPECT_TRUE(analyse_packing(afloat, box, on_floor).packing);
   on_floor.slab.base_height = 5.0;
   EXPECT_EQ(problem(afloat, box, on_floor), "the deposited discs lie no higher than the base");
 
-  Discs ends = base;  // all deposited discs lie beyond the slab
+  Discs ends = base;  // all deposited discs lie outside the slab
   ends.add({{1.0, 0.1}}, 0.5);
   ends.add({{1.0, 9.9}}, 0.5);
   EXPECT_EQ(problem(ends, box), "no deposited centre lies in the slab, 2 <= y < 7");
   PackingOptions empty;
   empty.slab.low = empty.slab.high = 1.0;
   EXPECT_EQ(problem(ends, box, empty), "the slab from 1 to 1 mean heights is empty");
-  EXPECT_EQ(problem(ends, Box<2>{}), "the packing has no sides: it needs a periodic box or side walls");
+  EXPECT_EQ(problem(ends, Box<2>{}), "the packing is unbounded in x: it needs a periodic box or side walls");
   ends.add({{1.0, std::numeric_limits<double>::quiet_NaN()}}, 0.5);
-  EXPECT_EQ(problem(ends, box), "disc 3 has no place or no radius");
+  EXPECT_EQ(problem(ends, box), "disc 3 has no finite position or no positive radius");
   PackingOptions wrong;
   wrong.gap = -1.0;
   EXPECT_EQ(problem(ends, box, wrong), "gap must be >= 0; column, bin_width and strip must be > 0");
@@ -88,7 +88,7 @@ TEST(PackingSlab, says_why_there_is_none) {
   EXPECT_EQ(problem(ends, box, wrong), "blocks, directions and density_bins must be at least 1");
 }
 
-TEST(Packing, of_grains_comes_in_order_of_id_and_wrapped) {
+TEST(Packing, of_grains_is_ordered_by_id_and_wrapped) {
   Grains<2> grains;
   Grain<2> grain;
   grain.radius = 0.25;
@@ -105,7 +105,7 @@ TEST(Packing, of_grains_comes_in_order_of_id_and_wrapped) {
 }
 
 TEST(Packing, of_the_triangular_lattice_is_exact_in_every_measure) {
-  // Rows 1 to 41: ybar = 21 rows, the slab from 8.4 to 29.4 rows holds 21 whole ones.
+  // Rows 1 to 41: ybar = 21 rows. The slab from 8.4 to 29.4 rows holds 21 whole rows.
   const auto packing = read(triangular_packing(32, 42), sides(32.0), everything());
   EXPECT_NEAR(packing.solid_fraction.mean, pi / (2.0 * std::sqrt(3.0)), 1e-12);
   EXPECT_EQ(packing.coordination.discs, 32u * 21u);
@@ -115,11 +115,11 @@ TEST(Packing, of_the_triangular_lattice_is_exact_in_every_measure) {
   EXPECT_NEAR(packing.fabric->folded.direction_deg.mean, 45.0, 1e-9);
   EXPECT_EQ(packing.regime, PackingRegime::dense_ordered);
   EXPECT_EQ(packing.regime_by_structure, PackingRegime::dense_ordered);
-  // Columns are two, with tops of equal height: flat. Voronoi cells are all the same hexagon.
+  // Two columns with tops of equal height: the surface is flat. All Voronoi cells are the same hexagon.
   EXPECT_NEAR(packing.surface->roughness, 0.0, 1e-12);
   EXPECT_EQ(packing.local_density->cells, 32u * 21u);
   EXPECT_EQ(packing.local_density->open, 0u);
-  EXPECT_NEAR(packing.local_density->density.mean, pi / (2.0 * std::sqrt(3.0)), 1e-9);  // of voro++
+  EXPECT_NEAR(packing.local_density->density.mean, pi / (2.0 * std::sqrt(3.0)), 1e-9);  // tolerance of voro++
   EXPECT_NEAR(packing.local_density->density.deviation, 0.0, 1e-9);
   EXPECT_NEAR(packing.local_density->solid_fraction, pi / (2.0 * std::sqrt(3.0)), 1e-9);
   EXPECT_EQ(packing.local_density->count[90], 32u * 21u);
@@ -138,7 +138,7 @@ TEST(Packing, of_the_square_lattice_is_exact) {
 }
 
 TEST(Packing, a_floor_and_walls_count_as_neighbours) {
-  // A square packing between walls, on a floor.
+  // A square packing on a floor between side walls.
   Discs discs;
   for (int row = 0; row < 9; ++row) {
     for (int k = 0; k < 6; ++k) discs.add({{k + 0.5, row + 0.5}}, 0.5);
@@ -149,12 +149,12 @@ TEST(Packing, a_floor_and_walls_count_as_neighbours) {
   const auto apart = read(discs, box, options);
   EXPECT_EQ(apart.coordination.discs, 6u * 6u);
   EXPECT_NEAR(apart.coordination.mean.mean, (36 * 4 - 2 * 6 - 6) / 36.0, 1e-14);
-  options.planes = {0.0, 0.0, 6.0};
+  options.walls = {0.0, 0.0, 6.0};
   EXPECT_EQ(read(discs, box, options).coordination.mean.mean, 4.0);
 }
 
-TEST(Packing, of_sticking_discs_is_that_of_the_notes) {
-  // Critical angle 90 degrees at paper size, 32 x 1000: 0.374 in the notes (an independent implementation), z = 2.
+TEST(Packing, of_sticking_discs_agrees_with_an_independent_code) {
+  // Critical angle 90 degrees at the paper's size, 32 x 1000: an independent implementation gives 0.374, and z = 2.
   std::vector<double> fractions, coordinations, fraction_errors, coordination_errors, ratios;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     PackingOptions options;
@@ -173,16 +173,16 @@ TEST(Packing, of_sticking_discs_is_that_of_the_notes) {
   const auto fraction = mean_of(fractions);
   EXPECT_NEAR(fraction.mean, 0.374, 4.0 * fraction.error + 0.0005);  // given to three digits
   EXPECT_NEAR(mean_of(coordinations).mean, 2.0, 4.0 * mean_of(coordinations).error + 0.002);
-  // The cells of the slab's discs cover about the slab.
+  // The cells of the discs in the slab cover about the area of the slab.
   EXPECT_NEAR(mean_of(ratios).mean, 1.0, 0.01);
-  // What one packing says of its own error. That of z is too large, about threefold: contacts across the edges of
-  // blocks make their coordination scatter, while over all of the slab every link counts at both its ends.
+  // Errors estimated from one packing. That of z is too large, about threefold: contacts across the edges of blocks
+  // make the coordination of blocks scatter, while over the whole slab every contact counts at both ends.
   EXPECT_NEAR(std::sqrt(mean_of(fraction_errors).mean) / fraction.deviation, 0.85, 0.25);
   EXPECT_NEAR(std::sqrt(mean_of(coordination_errors).mean) / mean_of(coordinations).deviation, 3.0, 1.0);
 }
 
 TEST(Packing, local_density_of_cells_that_tile_the_slab_is_its_solid_fraction) {
-  // Discs at random in a slab without an edge: above and below it lies a mirror image, so that cells end at the edge.
+  // Random discs in a slab with its mirror images above and below, so that cells end exactly at the edges.
   const auto slab = slab_between(0.0, 12.0, sides(15.0));
   auto discs = independent_discs(150, slab, 11);
   const auto inside = discs.size();
@@ -194,7 +194,7 @@ TEST(Packing, local_density_of_cells_that_tile_the_slab_is_its_solid_fraction) {
   const auto density = local_density(discs, slab, 50);
   EXPECT_EQ(density.cells, 150u);
   EXPECT_NEAR(density.solid_fraction, 150 * pi / 4.0 / slab.area(), 1e-9);
-  // The mean of the inverse, over equal discs, is the inverse of that.
+  // For equal discs, the mean of the inverse is the inverse of the solid fraction.
   double sum = 0.0;
   for (std::size_t k = 0; k < density.count.size(); ++k) sum += density.probability[k] * density.bin_width;
   EXPECT_NEAR(sum, 1.0, 1e-12);

@@ -12,7 +12,7 @@
 namespace repose {
 namespace {
 
-/// What one correlation of many packings should be: 1 in every bin, with errors that tell the truth.
+/// Checks one correlation over many packings: 1 in every bin, with correct errors.
 void expect_one(const std::vector<Correlation>& runs, const char* name) {
   double squares = 0.0;
   double errors = 0.0;
@@ -27,17 +27,18 @@ void expect_one(const std::vector<Correlation>& runs, const char* name) {
     }
     const auto estimate = mean_of(values);
     const double off = (estimate.mean - 1.0) / estimate.error;
-    EXPECT_LT(std::fabs(off), 4.5) << name << " at " << runs.front().distance[k];  // of 400 bins one in 400 tries
+    EXPECT_LT(std::fabs(off), 4.5) << name << " at "
+                                   << runs.front().distance[k];  // one of 400 bins exceeds this once in 400 tries
     squares += off * off / static_cast<double>(bins);
     errors += mean_error / estimate.deviation / static_cast<double>(bins);
   }
   EXPECT_NEAR(squares, 1.0, 0.65) << name;  // four standard deviations for 80 bins are 0.63
-  EXPECT_NEAR(errors, 1.0, 0.12) << name;   // 80 bins of 60 runs know it to 1 %; pairs of a bin share points
+  EXPECT_NEAR(errors, 1.0, 0.12) << name;   // known to 1 % from 80 bins of 60 runs; pairs of a bin have common points
 }
 
 TEST(PairCorrelation, of_independent_points_is_one_at_every_distance) {
   for (const bool periodic : {true, false}) {
-    // A slab lower than the reach, so that most rings leave it.
+    // A slab lower than the reach, so that most rings extend beyond it.
     const auto slab = slab_between(3.0, 9.0, sides(20.0, periodic));
     std::vector<Correlation> radial, along_x, along_y;
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
@@ -45,7 +46,7 @@ TEST(PairCorrelation, of_independent_points_is_one_at_every_distance) {
       radial.push_back(found.radial);
       along_x.push_back(found.along_x);
       along_y.push_back(found.along_y);
-      along_y.back().value.resize(60);  // no two points are farther apart than the slab is high
+      along_y.back().value.resize(60);  // no two points are farther apart than the height of the slab
     }
     expect_one(radial, "radial");
     expect_one(along_x, "along x");
@@ -88,7 +89,8 @@ TEST(PairCorrelation, of_the_triangular_lattice_has_its_shells) {
     const double inner = static_cast<double>(bin) * 0.2;
     return found.value[bin] * density * std::numbers::pi * (squared(inner + 0.2) - squared(inner));
   };
-  // Shells at 1, sqrt 3, 2, sqrt 7, 3. The edges of a slab of 346 diameters cut 1/346 at most of what is uniform.
+  // Shells at 1, sqrt 3, 2, sqrt 7, 3. The edges of a slab of 346 diameters change the expected number by at most
+  // 1/346.
   EXPECT_EQ(found.value[3], 0.0);
   EXPECT_NEAR(neighbours(4) + neighbours(5), 6.0, 0.02);
   EXPECT_NEAR(neighbours(8), 6.0, 0.02);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repose/sweep/point_response.hpp"
+#include "repose/sweep/response.hpp"
 
 #include "repose/scene/read.hpp"
 #include "repose/theory/point_load.hpp"

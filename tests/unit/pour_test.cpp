@@ -17,43 +17,46 @@ Scene pouring(const std::string& more) {
                          "scene.toml");
 }
 
+constexpr TimeSteps leapfrog{0.001, true};
+
 double no_apex() { return 0.0; }
 
-/// Releases everything that is due up to a time; the grains released before are taken away each time if asked.
-Grains<2> released_by(Pour& pour, double time, double time_step) {
+/// Releases all grains that are due up to a time.
+Grains<2> released_by(Pour& pour, double time) {
   Grains<2> grains;
-  while (!pour.done() && static_cast<double>(pour.next_step()) * time_step <= time) {
+  while (pour.due() <= time) {
     Grains<2> one;
-    if (!pour.release(one, pour.next_step(), no_apex)) break;
+    if (!pour.release(one, pour.due(), no_apex)) break;
     grains.add(one.line[0], one.id[0]);
   }
   return grains;
 }
 
-// The paper's count: 0.62 t + 1 grains by time t; here the rate is 2.
+// The count of the paper is 0.62 t + 1 grains by time t; here the rate is 2.
 TEST(Pour, CountGrowsWithTimeFromOne) {
   const auto scene = pouring("height = 50.0");
-  Pour pour(scene, 0.001, 10);
-  EXPECT_EQ(released_by(pour, 0.0, 0.001).size(), 1U);
-  EXPECT_EQ(released_by(pour, 10.2, 0.001).size(), 20U);
+  Pour pour(scene, leapfrog, 10);
+  EXPECT_EQ(released_by(pour, 0.0).size(), 1U);
+  EXPECT_EQ(released_by(pour, 10.2).size(), 20U);
   EXPECT_EQ(pour.released(), 21);
-  released_by(pour, 1e9, 0.001);
+  released_by(pour, 1e9);
   EXPECT_TRUE(pour.done());
 }
 
-// Places uniform in +-w, sizes uniform in [(1 - p) d, d] (standard deviation p d / sqrt(12)), masses with the square
-// of the size; within 4 standard errors of 400 grains. Released from rest: half a step later the speed is g dt / 2.
+// Positions are uniform in +-w, sizes uniform in [(1 - p) d, d] (standard deviation p d / sqrt(12)), masses
+// proportional to the square of the size, all within 4 standard errors of 400 grains. Grains are released from rest:
+// half a step later the speed is g dt / 2.
 TEST(Pour, PlacesAndSizes) {
   const auto scene = pouring("height = 50.0, half_width = 4.0, x = 1.0");
-  Pour pour(scene, 0.001, 0);
-  const auto grains = released_by(pour, 1e9, 0.001);
+  Pour pour(scene, leapfrog, 0);
+  const auto grains = released_by(pour, 1e9);
   double x = 0.0;
   double x2 = 0.0;
   double size = 0.0;
   for (const auto& grain : grains.line) {
     EXPECT_LE(std::fabs(grain.position[0] - 1.0), 4.0);
     EXPECT_EQ(grain.position[1], 50.0);
-    // The kick of the first step is half of the others'.
+    // The kick of the first step is half a kick.
     const double first_kick = &grain == &grains.line.front() ? 0.0005 : 0.001;
     EXPECT_DOUBLE_EQ(grain.velocity[1] - first_kick, -0.0005);
     EXPECT_GE(grain.radius, 0.45);
@@ -68,14 +71,14 @@ TEST(Pour, PlacesAndSizes) {
   EXPECT_NEAR(size, 0.95, 4.0 * 0.1 / std::sqrt(12.0 * 400.0));
 }
 
-// No two grains are let go within each other's reach: where the opening is full, the next one waits.
+// No grain is released in reach of another: if the opening is full, the next grain waits.
 TEST(Pour, WaitsForRoom) {
   const auto scene = pouring("height = 50.0, half_width = 2.0");
-  Pour pour(scene, 0.001, 0);
+  Pour pour(scene, leapfrog, 0);
   Grains<2> grains;
-  long step = 5000;  // 11 grains are due
-  EXPECT_TRUE(pour.release(grains, step, no_apex));
-  EXPECT_GT(pour.next_step(), step);
+  double time = 5.0;  // 11 grains are due
+  EXPECT_TRUE(pour.release(grains, time, no_apex));
+  EXPECT_GT(pour.due(), time);
   EXPECT_GE(grains.size(), 2U);
   EXPECT_LE(grains.size(), 5U);
   for (std::size_t i = 0; i < grains.size(); ++i) {
@@ -84,11 +87,11 @@ TEST(Pour, WaitsForRoom) {
       EXPECT_GE(magnitude(d), 1.2 * (grains.line[i].radius + grains.line[j].radius));
     }
   }
-  step += 1000;
-  EXPECT_FALSE(pour.release(grains, step, no_apex));
-  EXPECT_DOUBLE_EQ(pour.waiting(step), 1.0);  // since the last release
+  time += 1.0;
+  EXPECT_FALSE(pour.release(grains, time, no_apex));
+  EXPECT_DOUBLE_EQ(pour.waiting(time), 1.0);  // since the last release
   Grains<2> emptied;
-  EXPECT_TRUE(pour.release(emptied, pour.next_step(), no_apex));
+  EXPECT_TRUE(pour.release(emptied, pour.due(), no_apex));
 }
 
 }  // namespace

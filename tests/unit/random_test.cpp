@@ -23,7 +23,7 @@ TEST(Random, IsAFunctionOfItsNames) {
   EXPECT_EQ(seen.size(), 3U * 2U * 3U * 2U);
 }
 
-// Mean 1/2 and variance 1/12 of a uniform number, within 4 standard errors of 1e5 draws.
+// A uniform number has mean 1/2 and variance 1/12, within 4 standard errors of 1e5 draws.
 TEST(Random, IsUniform) {
   constexpr int n = 100000;
   double sum = 0.0;
@@ -40,8 +40,8 @@ TEST(Random, IsUniform) {
   EXPECT_NEAR(sum2 / n - mean * mean, 1.0 / 12.0, 4.0 * std::sqrt(1.0 / 180.0 / n));
 }
 
-// Philox4x32-10 on a zero counter and key gives 6627e8d5 e169c58d ... (Salmon et al. 2011, known answers); with our
-// naming no call has an all-zero counter, so the reference is taken through the library with our layout.
+// Philox4x32-10 with zero counter and key gives 6627e8d5 e169c58d ... (Salmon et al. 2011, known answers). No call of
+// `uniform` has an all-zero counter, so the reference value comes from the library with the same layout.
 TEST(Random, UsesTheHighBitsOfPhilox) {
   r123::Philox4x32 philox;
   const auto known = philox(r123::Philox4x32::ctr_type{{0, 0, 0, 0}}, r123::Philox4x32::key_type{{0, 0}});

@@ -62,11 +62,11 @@ TEST(SceneRead, ValuesAndDefaults) {
   EXPECT_EQ(scene.placed[0].diameter, 0.9);
   EXPECT_EQ(scene.source.height, 100.0);
   EXPECT_FALSE(scene.stop.at_rest);
-  // "auto" takes half a radian of the stiffest contact: that of the small placed grain here.
+  // "auto" takes half a radian of the stiffest contact, here that of the small placed grain.
   EXPECT_NEAR(scene.time_step() * scene.contact_frequency(), 0.5, 1e-12);
 }
 
-// The complete scene reads back as itself, and says every key.
+// The complete scene contains every key and reads back as itself.
 TEST(SceneWrite, RoundTrip) {
   const std::string hooke = R"(
 units = "SI"
@@ -158,11 +158,11 @@ TEST(SceneRead, UnstableStepIsRefusedWithTheLargestThatIsNot) {
   EXPECT_FALSE(step(std::to_string(1.01 * largest)).empty());
 }
 
-// What the fuzzer (tests/fuzz) and a reading of the code with it in mind found; each line was a crash or a silence.
+// Inputs found by the fuzzer (tests/fuzz) and by reading the code. Each caused a crash or was accepted silently.
 const std::string one_grain = "[[grain]]\nposition = [0.0, 1.0]\n[stop]\ntime = 1\n";
 
-// No key of ours in quotation marks with dots or brackets in them: such a key was ignored without a word, or looked up
-// as an entry of a list.
+// A quoted name with dots or brackets is never a known key. It must not be ignored silently or taken for an entry of a
+// list.
 TEST(SceneRead, QuotedNamesThatLookLikePathsAreUnknown) {
   for (const std::string name : {"", "contact.friction", "grain[0].spin", "a[x", "a[99999999999999999999"}) {
     const auto line = "\"" + name + "\" = 0.9\n";
@@ -178,7 +178,7 @@ TEST(SceneRead, QuotedNamesThatLookLikePathsAreUnknown) {
   EXPECT_TRUE(any_contains(problems_of(one_grain, overrides), "--set contact={\"\" = 1}: contact.\"\": unknown key"));
 }
 
-// A quotation mark before the closing three belongs to the text; what follows is read as what it is.
+// A quotation mark before the closing three belongs to the text. The rest is parsed normally.
 TEST(SceneRead, LongTextWithQuotationMarksAtItsEnd) {
   EXPECT_EQ(scene_from_text("title = \"\"\"a\"\"\"\"\"  # \"\n" + one_grain, "scene.toml").title, "a\"\"");
   EXPECT_EQ(scene_from_text("title = '''été''''\n" + one_grain, "scene.toml").title, "été'");
@@ -186,14 +186,14 @@ TEST(SceneRead, LongTextWithQuotationMarksAtItsEnd) {
   EXPECT_TRUE(any_contains(problems_of("title = \"\"\"\\\n\"\"\"\nété = 1\n"), "scene.toml:3: letters beyond"));
 }
 
-// toml++ is undefined for most letters where it looks for white space, which shows under the sanitizers only.
+// toml++ has undefined behaviour for most letters at places where it expects white space, which only sanitizers show.
 TEST(SceneRead, LettersWhereTomlLooksForWhiteSpace) {
   EXPECT_EQ(scene_from_text("title = \"\"\"\\\n  été\"\"\"\n" + one_grain, "scene.toml").title, "été");
   EXPECT_EQ(problems_of("title = \"\"\"\\é\"\"\"\n" + one_grain).size(), 1U);
   EXPECT_EQ(problems_of("seed = 1e\"é\"\n" + one_grain).size(), 1U);
 }
 
-// toml++ lays out lists by the logarithm of their numbers.
+// toml++ breaks long lists over several lines.
 TEST(SceneRead, ListsAndTablesInMessagesAreOneLine) {
   const auto of_gravity = [](const std::string& value) { return problems_of("gravity = " + value + "\n" + one_grain); };
   EXPECT_EQ(of_gravity("[0.01, [], -1e-300, {}, \"a\"]"),
@@ -215,11 +215,11 @@ TEST(SceneRead, KeysOfVeryManySteps) {
   Overrides overrides;
   overrides.set = {key + "=1"};
   EXPECT_EQ(problems_of(one_grain, overrides).size(), 1U);
-  // Dots elsewhere do not count.
+  // Dots elsewhere are allowed.
   EXPECT_TRUE(problems_of("title = \"" + key + "\"  # " + key + "\n" + one_grain).empty());
 }
 
-// Time in proportion to the length of the file: 0.1 s, where comparing every key with every other took 11 s.
+// The time is proportional to the length of the file: 0.1 s, while comparing every key with every other takes 11 s.
 TEST(SceneRead, ManyPlacedGrains) {
   std::string text = "[stop]\ntime = 1\n";
   for (int k = 0; k < 20000; ++k) text += "[[grain]]\nposition = [0.0, " + std::to_string(k) + ".5]\n";
@@ -228,7 +228,7 @@ TEST(SceneRead, ManyPlacedGrains) {
   EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 5.0);
 }
 
-// toml++ has no double for a whole number that a double has to round.
+// toml++ gives no double for a whole number that a double cannot represent exactly.
 TEST(SceneRead, WholeNumbersBeyondTheDoubles) {
   Overrides overrides;
   overrides.set = {"gravity=9223372036854775807", "method.skin=9007199254740993"};
@@ -241,7 +241,7 @@ TEST(SceneRead, WholeNumbersBeyondTheDoubles) {
   EXPECT_EQ(far.placed[0].position[1], 0x1p63);
 }
 
-// The law is made of something sound even then: a whole exponent below 0 has no unsigned.
+// An exponent below 0 is one problem, and no unsigned whole exponent is computed from it.
 TEST(SceneRead, ExponentBelowZeroIsOneProblem) {
   for (const std::string value : {"-5", "-inf"}) {
     Overrides overrides;
@@ -250,7 +250,7 @@ TEST(SceneRead, ExponentBelowZeroIsOneProblem) {
   }
 }
 
-// Defaults that follow from other keys are checked as what is given is; they were written out as inf.
+// Defaults that follow from other keys are checked like given values, so that none is written as inf.
 TEST(SceneRead, DefaultsThatOverflow) {
   const auto overflow = [](const std::vector<std::string>& settings, const std::string& part) {
     Overrides overrides;
@@ -260,9 +260,9 @@ TEST(SceneRead, DefaultsThatOverflow) {
     overrides.set.push_back(part.substr(0, part.find(':')) + "=1");
     EXPECT_LT(problems_of(one_grain, overrides).size(), lines.size()) << part;
   };
-  overflow({"grains.diameter=1e306"}, "box.half_width: missing, and its default, inf, will not do: must be a finite");
-  overflow({"grains.diameter=5e-324"}, "method.skin: missing, and its default, 0, will not do: must be > 0 [L]");
-  overflow({"grains.diameter=1e100", "gravity=1e-308"}, "output.series: missing, and its default, inf, will not do");
+  overflow({"grains.diameter=1e306"}, "box.half_width: missing, and its default is inf: must be a finite");
+  overflow({"grains.diameter=5e-324"}, "method.skin: missing, and its default is 0: must be > 0 [L]");
+  overflow({"grains.diameter=1e100", "gravity=1e-308"}, "output.series: missing, and its default is inf");
 }
 
 }  // namespace

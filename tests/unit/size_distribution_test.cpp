@@ -27,7 +27,7 @@ double mean(const std::vector<double>& values, double power = 1.0) {
   return sum / static_cast<double>(values.size());
 }
 
-/// Largest distance between the distribution function of the drawn sizes and the one that is meant, times sqrt(n).
+/// The largest distance between the distribution function of the drawn sizes and the exact one, times sqrt(n).
 double kolmogorov(std::vector<double> drawn, const std::function<double(double)>& fraction_below) {
   std::sort(drawn.begin(), drawn.end());
   const auto n = static_cast<double>(drawn.size());
@@ -39,7 +39,7 @@ double kolmogorov(std::vector<double> drawn, const std::function<double(double)>
   return std::sqrt(n) * largest;
 }
 
-// Kolmogorov and Smirnov: a true sample of 20000 (seed 1) exceeds 1.95 once in 1000 times.
+// Kolmogorov and Smirnov: a correct sample of 20000 (seed 1) exceeds 1.95 once in 1000 times.
 constexpr double rare = 1.95;
 
 double standard_normal(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
@@ -47,11 +47,11 @@ double standard_normal(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); 
 TEST(SizeDistribution, Uniform) {
   const auto drawn = sample(SizeDistribution::uniform(0.5, 1.5));
   EXPECT_LT(kolmogorov(drawn, [](double d) { return d - 0.5; }), rare);
-  // The test sees a shift of 2 % of the width: 20000 sizes tell 0.014 apart.
+  // The test detects a shift of 2 % of the width: 20000 sizes resolve 0.014.
   EXPECT_GT(kolmogorov(drawn, [](double d) { return d - 0.52; }), rare);
 }
 
-// Cut at -1 and +2 deviations, where the cuts tell; the ends are met to the bit.
+// Cut at -1 and +2 deviations, where the cuts matter; the ends are exact to the bit.
 TEST(SizeDistribution, NormalIsCut) {
   const auto sizes = SizeDistribution::normal(1.0, 0.2, 0.8, 1.4);
   const auto drawn = sample(sizes);
@@ -66,8 +66,8 @@ TEST(SizeDistribution, NormalIsCut) {
   EXPECT_NEAR(sizes.quantile(1.0 - 0x1p-53), 1.4, 1e-14);
 }
 
-// Mean and deviation are those of the diameter: within 4 standard errors of 20000; the cuts lie so far out (6
-// deviations of the logarithm) that they do not tell.
+// Mean and deviation are those of the diameter, within 4 standard errors of 20000 sizes. The cuts, at 6 deviations of
+// the logarithm, do not matter.
 TEST(SizeDistribution, LogNormalHasTheMomentsOfTheDiameter) {
   const auto [centre, spread] = log_moments(1.0, 0.3);
   const auto drawn =
@@ -93,8 +93,9 @@ TEST(SizeDistribution, TableByNumber) {
   EXPECT_GT(chi2, 1e-3);
 }
 
-// Of a sieve curve the mass of what is drawn tells: finer than d is as much of the mass as the curve says. Mass goes
-// with the square of the diameter; 4 standard errors of 20000 grains are 0.02. Taken by number, finer(1) were 0.10.
+// For a sieve curve, the mass of the drawn grains finer than d is that of the curve. The mass is proportional to the
+// square of the diameter; 4 standard errors of 20000 grains are 0.02. If the curve were taken by number, finer(1) would
+// be 0.10.
 TEST(SizeDistribution, SieveCurveByMass) {
   const auto sizes = SizeDistribution::sieve({0.5, 1.0, 2.0}, {0.0, 0.3, 1.0});
   const auto drawn = sample(sizes);
@@ -110,7 +111,7 @@ TEST(SizeDistribution, SieveCurveByMass) {
   EXPECT_LE(*std::max_element(drawn.begin(), drawn.end()), 2.0);
 }
 
-// Closed forms; the sum over 4096 quantiles is good to 1e-6 where quantiles are smooth.
+// Closed forms. The sum over 4096 quantiles is accurate to 1e-6 if the quantile function is smooth.
 TEST(SizeDistribution, MeanSquare) {
   EXPECT_NEAR(SizeDistribution::fixed(0.7).mean_square(), 0.49, 1e-12);
   EXPECT_NEAR(SizeDistribution::uniform(0.5, 1.5).mean_square(), (1.5 * 1.5 + 1.5 * 0.5 + 0.25) / 3.0, 1e-6);

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Area of a disc in a rectangle by the middles of thin strips. The error of n strips is about r^2 n^-1.5, from the
-/// ends of the chords.
+/// The area of a disc in a rectangle, by the midpoint rule with thin strips. The error of n strips is about r^2 n^-1.5,
+/// from the ends of the chords.
 double area_by_strips(const Vec<2>& centre, double radius, const Rectangle& rectangle) {
   constexpr int strips = 20'000;
   const double low = std::max(rectangle.low[1], centre[1] - radius);
@@ -36,10 +36,10 @@ TEST(SolidFraction, segments_have_their_closed_forms) {
   EXPECT_EQ(disc_area_below(2.0, -2.0), 0.0);
   EXPECT_EQ(disc_area_below(2.0, 3.0), 4.0 * pi);
   EXPECT_NEAR(disc_area_below(2.0, 0.0), 2.0 * pi, 1e-14);
-  // Height r/2: the segment above has the angle 2 pi/3.
+  // At height r/2 the segment above has the angle 2 pi/3.
   EXPECT_NEAR(disc_area_below(1.0, 0.5), pi - (pi / 3.0 - std::sqrt(3.0) / 4.0), 1e-14);
   EXPECT_NEAR(disc_area_in_quadrant(2.0, 0.0, 0.0), pi, 1e-14);
-  // The inscribed square and what is left beside it.
+  // The inscribed square and the segment beside it.
   const double a = std::sqrt(0.5);
   EXPECT_NEAR(disc_area_in({}, 1.0, {{{-a, -a}}, {{a, a}}}), 2.0, 1e-14);
   EXPECT_NEAR(disc_area_in({}, 1.0, {{{a, -a}}, {{2.0, a}}}), (pi - 2.0) / 4.0, 1e-14);
@@ -60,11 +60,11 @@ TEST(SolidFraction, lattices_have_their_exact_values_wherever_the_slab_is_cut) {
   for (const double low : {3.0, 3.2, 3.5 * rise}) {
     const auto box = sides(8.0);
     const auto triangular = solid_fraction(triangular_packing(8, 30), slab_between(low, low + 17 * rise, box), 4);
-    // A slab of whole rows holds whole discs, in parts; rounding only.
+    // A slab of whole rows holds whole discs, in parts. The error is rounding only.
     EXPECT_NEAR(triangular.mean, pi / (2.0 * std::sqrt(3.0)), 1e-13);
     const auto square = solid_fraction(square_packing(8, 30), slab_between(low, low + 17.0, box), 4);
     EXPECT_NEAR(square.mean, pi / 4.0, 1e-13);
-    EXPECT_NEAR(square.error, 0.0, 1e-13);  // every block of two columns is the same
+    EXPECT_NEAR(square.error, 0.0, 1e-13);  // all blocks of two columns are equal
   }
 }
 
@@ -90,17 +90,18 @@ TEST(SolidFraction, random_discs_agree_with_strips_and_blocks_change_nothing) {
 }
 
 TEST(SolidFraction, the_error_is_that_of_an_ensemble) {
-  // Discs placed independently (overlaps count twice): blocks depend on each other only through their edges.
+  // Discs are placed independently (overlaps count twice), so blocks are correlated only through their edges.
   std::vector<double> values;
   std::vector<double> errors;
   const auto slab = slab_between(0.0, 20.0, sides(80.0));
-  const auto wide = slab_between(-90.0, 110.0, sides(80.0));  // ten times, so that the number in the slab is free
+  const auto wide =
+      slab_between(-90.0, 110.0, sides(80.0));  // ten times as high, so that the number in the slab varies
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const auto estimate = solid_fraction(independent_discs(4000, wide, seed), slab, 8);
     values.push_back(estimate.mean);
     errors.push_back(squared(estimate.error));
   }
-  // 200 runs know a standard deviation to 5 %, and 5 % less of it because the slab holds a tenth of a fixed number.
+  // 200 runs determine a standard deviation to 5 %. It is 5 % smaller because the slab holds a tenth of a fixed number.
   EXPECT_NEAR(std::sqrt(mean_of(errors).mean) / mean_of(values).deviation, 1.0, 0.25);
 }
 

@@ -18,9 +18,11 @@ namespace {
 const std::string stop = "stop = { time = 1 }\n";
 const std::string hooke = "contact = { normal = { law = \"hooke\", stiffness = 1e4 } }\n";
 
+constexpr TimeSteps leapfrog{0.001, true};
+
 double no_apex() { return 0.0; }
 
-/// Smallest distance between the surfaces of two grains [L], by comparing all.
+/// The smallest distance between the surfaces of two grains [L], over all pairs.
 double least_gap(const Grains<2>& grains, const Box<2>& box) {
   double least = 1e300;
   for (std::size_t i = 0; i < grains.size(); ++i) {
@@ -40,18 +42,18 @@ Scene raining(const std::string& more) {
                          "scene.toml");
 }
 
-// At most 1 + t rate grains by time t, and all of them by the next moment of release unless they wait; none overlaps.
+// At most 1 + t rate grains are released by time t, and all of them at the next release unless they wait. None overlap.
 TEST(Rain, GrainsOfOneMomentDoNotOverlap) {
   const auto scene = raining("velocity = [0.5, -2.0]");
-  Rain rain(scene, 0.001, 7);
+  Rain rain(scene, leapfrog, 7);
   Grains<2> grains;
   std::size_t most = 0;
   long step = 0;
   while (!rain.done() && step < 1000000) {
-    step = std::max(step, rain.next_step());
+    step = std::max(step, leapfrog.count(rain.due()));
     ASSERT_EQ(step % 100, 0) << "rain falls every 0.1 sqrt(d/g)";
     Grains<2> together;
-    rain.release(together, step, no_apex);
+    rain.release(together, leapfrog.after(step), no_apex);
     EXPECT_GE(least_gap(together, make_box(scene)), -1e-12);
     most = std::max(most, together.size());
     for (std::size_t k = 0; k < together.size(); ++k) {
@@ -72,20 +74,20 @@ TEST(Rain, GrainsOfOneMomentDoNotOverlap) {
   EXPECT_EQ(step, 6000);
 }
 
-// A source that is given up and made anew with the same state goes on with the same grains: nothing else is random.
+// A source that is destroyed and made again with the same state continues with the same grains: nothing else is random.
 TEST(Rain, GrainsDependOnTheirNumberAlone) {
   const auto scene = raining("half_width = 20");
-  Rain one(scene, 0.001, 0);
-  Rain other(scene, 0.001, 0);
+  Rain one(scene, leapfrog, 0);
+  Rain other(scene, leapfrog, 0);
   Grains<2> all;
   Grains<2> late;
-  one.release(all, 1000, no_apex);
+  one.release(all, 1.0, no_apex);
   for (long step = 0; step <= 1000; step += 100) {
     Grains<2> now;
-    if (other.next_step() <= step) other.release(now, step, no_apex);
+    if (other.due() <= leapfrog.after(step)) other.release(now, leapfrog.after(step), no_apex);
     for (const auto& grain : now.line) late.add(grain, 0);
   }
-  ASSERT_GE(all.size(), 30U);  // what found room at once on a line of 40
+  ASSERT_GE(all.size(), 30U);  // grains that found room immediately on a line of 40
   EXPECT_EQ(late.size(), 101U);
   EXPECT_EQ(all.line[0].position[0], late.line[0].position[0]);
   for (std::size_t k = 0; k < all.size(); ++k) EXPECT_EQ(all.line[k].radius, late.line[k].radius);
@@ -93,14 +95,14 @@ TEST(Rain, GrainsDependOnTheirNumberAlone) {
 
 TEST(Rain, HeightAboveTheApex) {
   const auto scene = raining("height_above = \"apex\"");
-  Rain rain(scene, 0.001, 0);
+  Rain rain(scene, leapfrog, 0);
   Grains<2> grains;
-  rain.release(grains, 0, [] { return 3.25; });
+  rain.release(grains, 0.0, [] { return 3.25; });
   ASSERT_EQ(grains.size(), 1U);
   EXPECT_EQ(grains.line[0].position[1], 12.25);
 }
 
-// Against all pairs, over the ends of a periodic box too: 400 places among 60 grains.
+// Compared with all pairs, also across the sides of a periodic box: 400 positions among 60 grains.
 TEST(Room, AgreesWithAllPairs) {
   for (const bool periodic : {false, true}) {
     Box<2> box;
@@ -138,9 +140,9 @@ const std::string two_species =
     "}\n"
     "[[species]]\nname = \"b\"\nmaterial = \"light\"\nshare = 3\nsizes = { diameter = 2.0 }\n";
 
-// Shares of 20000 grains within 4 standard errors: of a fraction p by number sqrt(p (1 - p) / n); by mass the number
-// of the heavy ones has the share 1 / m_a over 1 / m_a + 3 / m_b, with m_a = 3 <d^2> and m_b = 4.
-TEST(GrainDraw, SharesByNumberAndByMass) {
+// Fractions of 20000 grains are within 4 standard errors. By number, a fraction p has the error sqrt(p (1 - p) / n). By
+// mass, the fraction by number of the heavy grains is 1 / m_a over 1 / m_a + 3 / m_b, with m_a = 3 <d^2> and m_b = 4.
+TEST(GrainDraw, FractionsByNumberAndByMass) {
   const double mean_mass = 3.0 * (0.25 + 0.35 + 0.49) / 3.0;
   for (const bool by_mass : {false, true}) {
     const auto scene =
@@ -167,8 +169,8 @@ TEST(GrainDraw, SharesByNumberAndByMass) {
   }
 }
 
-// Neighbours touch (to rounding), but for what is left over of a periodic width: less than the largest disc over all
-// gaps. Heights within the roughness, both of its halves used; nothing but neighbours comes near.
+// Neighbours touch to rounding, except for the rest of a periodic width, which is less than the largest disc and is
+// spread over all gaps. Heights are within the roughness, in both halves of its range. Only neighbours are close.
 TEST(DepositedBase, LetsNothingThrough) {
   for (const bool periodic : {false, true}) {
     const auto scene =
@@ -218,7 +220,7 @@ Grains<2> block(const std::string& more, const std::string& base) {
   return grains;
 }
 
-// Touching grains lie in the hollows of the row, each row over those of the one below.
+// Touching grains lie in the hollows of the row, and each row in the hollows of the row below.
 TEST(Block, NestsInTheRow) {
   const auto grains = block("x = 1.2", "base = { kind = \"row\", half_width = 9 }\n");
   ASSERT_EQ(grains.size(), 24U);
@@ -231,7 +233,7 @@ TEST(Block, NestsInTheRow) {
   }
 }
 
-// Displaced grains keep their distance: by up to half a gap each, and no two as much.
+// Each grain is displaced by up to half a gap, so grains do not overlap. No two displacements are equal.
 TEST(Block, JitterWithinTheGap) {
   const auto regular = block("gap = 0.3", "base = { kind = \"plane\" }\n");
   const auto loose = block("gap = 0.3, jitter = 1.0", "base = { kind = \"plane\" }\n");

@@ -47,20 +47,20 @@ TEST(StructureFactor, of_independent_points_is_one) {
         EXPECT_LT(std::fabs(off), 4.5) << k;
         squares += off * off;
         shells += 1.0;
-        if (k < 10) continue;  // few vectors: their scatter says little about the correlations
+        if (k < 10) continue;  // with few vectors, the scatter does not determine the correlations
         error_ratio += std::sqrt(mean_of(errors[k]).mean) / estimate.deviation;
         large_shells += 1.0;
       }
       EXPECT_GE(shells, 36.0);                  // the first may hold no vector
       EXPECT_NEAR(squares / shells, 1.0, 0.9);  // 40 shells of 100 runs: four standard deviations
-      // 30 shells of 100 runs know it to 1.3 %; the factor for the window is exact for rows without end only.
+      // 30 shells of 100 runs determine it to 1.3 %; the factor for the window is exact for infinite rows only.
       EXPECT_NEAR(error_ratio / large_shells, 1.0, 0.1) << (window == Window::hann) << periodic;
     }
   }
 }
 
 TEST(StructureFactor, of_the_triangular_lattice_has_bragg_peaks_of_n) {
-  // 12 columns and 10 pairs of rows: whole periods both ways.
+  // 12 columns and 10 pairs of rows: whole periods in both directions.
   const double rise = std::sqrt(0.75);
   const auto points = triangular_packing(12, 20).position;
   const auto slab = slab_between(0.0, 20 * rise, sides(12.0));
@@ -71,15 +71,15 @@ TEST(StructureFactor, of_the_triangular_lattice_has_bragg_peaks_of_n) {
   for (int a = -2; a <= 2; ++a) {
     for (int b = -2; b <= 2; ++b) reciprocal.push_back(first * a + second * b);
   }
-  // Phases of up to 400 are known to 3e-14, S to twice that; zero elsewhere on the grid.
+  // Phases of up to 400 are accurate to 3e-14, S to twice that. S is zero elsewhere on the grid.
   for (const double peak : structure_factor(points, reciprocal, slab, Window::none)) EXPECT_NEAR(peak, n, 1e-10 * n);
   const std::vector<Vec<2>> elsewhere{{{2.0 * pi * 5 / 12, 0.0}}, {{2.0 * pi, 0.0}}, {{0.0, 2.0 * pi * 3 / 20 / rise}}};
   for (const double between : structure_factor(points, elsewhere, slab, Window::none)) EXPECT_NEAR(between, 0.0, 1e-20);
-  // A Hann window over rows at multiples of the period has sum 1/2 and sum of squares 3/8 per row.
+  // A Hann window over rows at multiples of the period has the sum 1/2 and the sum of squares 3/8 per row.
   for (const double peak : structure_factor(points, reciprocal, slab, Window::hann)) {
     EXPECT_NEAR(peak, 2.0 / 3.0 * n, 1e-10 * n);
   }
-  // The first ring of six peaks at 4 pi/sqrt 3 is one of the shells; of q and -q one is counted.
+  // The first ring of six peaks, at 4 pi/sqrt 3, is one of the shells; q and -q count once.
   StructureFactorOptions options;
   options.largest = 8.0;
   options.shells = 80;
@@ -114,7 +114,7 @@ TEST(StructureFactor, shells_are_means_of_direct_sums) {
     }
     ASSERT_EQ(one.vectors.at(0), vectors.size());
     EXPECT_NEAR(one.value.at(0), mean_of(structure_factor(points, vectors, slab, window)).mean, 1e-12);
-    // Every third vector, both ways, where only so many are allowed.
+    // Every third vector in both directions, if only so many are allowed.
     options.most_vectors = vectors.size() / 7;
     const auto thinned = isotropic_structure_factor(points, slab, options);
     std::erase_if(vectors, [](const Vec<2>& q) {

@@ -14,9 +14,9 @@
 namespace repose {
 namespace {
 
-// The continuum pile with tan(slope) = 0.4 sqrt(3): by Liffman et al. (49) the plateau begins at x/B = 0.3, where shear
-// over normal force is -0.4/sqrt(3) ((54)-(59) with that slope). With a kink on a row of the table it is a polygon:
-// plateau 1, feet at 0 and 1, integral 0.7; a tenth of the maximum at 0.03 and 0.97.
+// The continuum pile with tan(slope) = 0.4 sqrt(3). By Liffman et al. (49) the plateau begins at x/B = 0.3, where the
+// shear force over the normal force is -0.4/sqrt(3) ((54)-(59) with that slope). The kink lies on a row of the table,
+// so the profile is a polygon: plateau 1, feet at 0 and 1, integral 0.7, a tenth of the maximum at 0.03 and 0.97.
 const double kink_slope = std::atan(0.4 * std::numbers::sqrt3) * 180.0 / std::numbers::pi;
 constexpr double tenths = 0.94;
 constexpr double integral = 0.7;
@@ -41,7 +41,7 @@ double quadrature(const Function& function, double from, double to) {
   return sum * (to - from) / steps;
 }
 
-/// The base of that pile on discs at unequal distances, with errors of `error` in all bins.
+/// The base of that pile on discs at unequal distances. All bins have the error `error`.
 MeasuredBase pile(double error = 0.5) {
   MeasuredBase base;
   double x = -45.0;
@@ -69,14 +69,14 @@ MeasuredBase pile(double error = 0.5) {
 
 const TheoryChoice continuum{"pile-continuum", {{"points", "11"}}};
 
-// Tolerance: the quadrature's (step 5e-5 of a kink's change of slope) over forces of about ten.
-TEST(TheoryComparison, PileOfTheModelItselfLeavesNothing) {
+// Tolerance: that of the quadrature (step 5e-5, times the change of slope at a kink) for forces of about ten.
+TEST(TheoryComparison, PileOfTheModelItselfHasNoResiduals) {
   const auto base = pile();
   const auto found = compare(continuum, base);
   EXPECT_NEAR(found.width, width, 1e-12 * width);
   EXPECT_NEAR(found.left, middle - 0.5 * width, 1e-11);
   EXPECT_NEAR(found.weight, integral * plateau * width, 1e-6);
-  ASSERT_EQ(found.residuals.x.size(), 9U);  // bins at -20 ... 20: the stretch ends at 0.4 -+ 22.09
+  ASSERT_EQ(found.residuals.x.size(), 9U);  // bins at -20 ... 20: the loaded interval ends at 0.4 -+ 22.09
   EXPECT_EQ(found.residuals.x.front(), -20.0);
   for (std::size_t k = 0; k < found.residuals.x.size(); ++k) {
     EXPECT_NEAR(found.residuals.normal[k], 0.0, 1e-6);
@@ -87,7 +87,7 @@ TEST(TheoryComparison, PileOfTheModelItselfLeavesNothing) {
   EXPECT_NEAR(found.normal.rms, 0.0, 1e-6);
 }
 
-// What a picture draws: columns times `scale` is the force on a disc of the mean spacing.
+// A picture draws the columns times `scale`, the force on a disc at the mean spacing.
 TEST(TheoryComparison, ScaleGivesTheForceOnADisc) {
   const auto base = pile();
   const auto found = compare(continuum, base);
@@ -98,7 +98,7 @@ TEST(TheoryComparison, ScaleGivesTheForceOnADisc) {
   EXPECT_NEAR(found.scale * table.column("shear").values[3], -0.4 / std::numbers::sqrt3 * plateau * spacing, 1e-6);
 }
 
-// One bin a deviation too high and one too low, by a and b errors, with the weight kept: chi-square is a^2 + b^2.
+// One bin is too high by a errors and one too low by b errors, with the same total weight: chi-square is a^2 + b^2.
 TEST(TheoryComparison, KnownDeviationsGiveChiSquareAndRms) {
   constexpr double error = 0.5;
   auto base = pile(error);
@@ -127,7 +127,7 @@ TEST(TheoryComparison, KnownDeviationsGiveChiSquareAndRms) {
   EXPECT_NEAR(found.residuals.normal[2], up, 1e-6);
   EXPECT_NEAR(found.residuals.normal[7], down, 1e-6);
   EXPECT_NEAR(found.shear.chi_square, 9.0 * (1.5 / error) * (1.5 / error), 1e-4);
-  EXPECT_EQ(found.shear.degrees, 9);  // nothing of it is matched
+  EXPECT_EQ(found.shear.degrees, 9);  // nothing of the shear force is matched
   EXPECT_NEAR(found.shear.rms, 1.5, 1e-6);
   double mean = 0.0;
   for (std::size_t k = 0; k < base.bins.x.size(); ++k)
@@ -145,11 +145,11 @@ TEST(TheoryComparison, BinsWithoutAnErrorDoNotCountInChiSquare) {
   const auto found = compare(continuum, base);
   EXPECT_EQ(found.shear.bins, 7);
   EXPECT_NEAR(found.shear.chi_square, 7.0 * 4.0, 1e-4);
-  EXPECT_NEAR(found.shear.rms, 1.0, 1e-6);  // of all nine
+  EXPECT_NEAR(found.shear.rms, 1.0, 1e-6);  // over all nine bins
 }
 
-// Measured as every heap is: the stretch ends at discs, so that it falls short of the tenth by up to a spacing a side.
-TEST(TheoryComparison, WidthFromTheMeasuredStretch) {
+// In a measured heap the loaded interval ends at discs, so on each side it ends up to a spacing before the tenth.
+TEST(TheoryComparison, WidthFromTheMeasuredInterval) {
   auto base = pile();
   const auto dip = base_dip(base.discs);
   ASSERT_TRUE(dip);
@@ -162,9 +162,9 @@ TEST(TheoryComparison, WidthFromTheMeasuredStretch) {
             std::ranges::count_if(base.discs.x, [](double x) { return std::fabs(x - 0.4) < 22.2; }));
 }
 
-// A triangle whose apex is at 0.2: a tenth of the maximum at 0.02 and 0.92, midway 0.47, which comes to lie on the
-// centre. Rows at one place are a jump; a foot that carries load ends at the foot.
-TEST(TheoryComparison, SkewModelsAreCentredWhereTheHeapIs) {
+// A triangle with its apex at 0.2 has a tenth of the maximum at 0.02 and 0.92; the middle, 0.47, is placed on the
+// centre of the heap. Two rows at one position are a jump. A foot with load ends at the foot.
+TEST(TheoryComparison, SkewModelsAreCentredOnTheHeap) {
   const auto table = [](std::vector<double> x, std::vector<double> normal) {
     const std::vector<double> shear(x.size(), 0.0);
     return theory::Table{{{"x_over_b", "1", "", std::move(x), {}},
@@ -173,13 +173,13 @@ TEST(TheoryComparison, SkewModelsAreCentredWhereTheHeapIs) {
                          {}};
   };
   const auto base = pile();
-  auto found = laid_on(table({0.0, 0.2, 1.0}, {0.0, 1.0, 0.0}), base);
+  auto found = compare_table(table({0.0, 0.2, 1.0}, {0.0, 1.0, 0.0}), base);
   EXPECT_NEAR(found.width, 2.0 * base.half_width / 0.9, 1e-11);
   EXPECT_NEAR(found.left + 0.47 * found.width, middle, 1e-12);
   EXPECT_NEAR(found.scale, found.weight * found.spacing / (0.5 * found.width), 1e-11);
-  found = laid_on(table({0.0, 0.5, 0.5, 1.0}, {1.0, 1.0, 2.0, 2.0}), base);
+  found = compare_table(table({0.0, 0.5, 0.5, 1.0}, {1.0, 1.0, 2.0, 2.0}), base);
   EXPECT_NEAR(found.width, 2.0 * base.half_width, 1e-11);
-  // Bins at -5 and 5, left and right of the jump; discs are 3.1/3 apart in the mean, a tenth more or less in a bin.
+  // Bins at -5 and 5, left and right of the jump. Discs are 3.1/3 apart on average, a tenth more or less in a bin.
   ASSERT_EQ(base.bins.x[8], -5.0);
   ASSERT_EQ(found.residuals.x[3], -5.0);
   const double low = base.bins.normal[8] - found.residuals.normal[3];
@@ -208,15 +208,15 @@ TEST(TheoryComparison, SlopeIsThatOfTheRunUnlessGiven) {
   }
 }
 
-/// Whether the registry has a model.
+/// Whether a model is registered.
 bool has(const std::string& name) {
   return std::ranges::any_of(theory::default_models(), [&](const auto& m) { return theory::text_of(m).name == name; });
 }
 
-// Fixed principal axes and others take the angle of friction for the slope; where the first is given, the second is
-// free.
+// In models with a friction angle it is completed from the run, and sets the slope. If it is given, the slope is
+// completed instead.
 TEST(TheoryComparison, FrictionAngleIsTheSlopeUnlessGiven) {
-  if (!has("osl")) GTEST_SKIP() << "no model of friction is registered";
+  ASSERT_TRUE(has("osl"));
   const auto base = pile();
   using Strings = std::vector<std::string>;
   Strings taken;
@@ -231,7 +231,7 @@ TEST(TheoryComparison, FrictionAngleIsTheSlopeUnlessGiven) {
 }
 
 TEST(TheoryComparison, LatticeHasTheLoadedDiscs) {
-  if (!has("pile-lattice")) GTEST_SKIP() << "no lattice is registered";
+  ASSERT_TRUE(has("pile-lattice"));
   const auto base = pile();
   std::vector<std::string> taken;
   const auto settings = settings_for({"pile-lattice", {}}, base, taken);
@@ -247,7 +247,7 @@ TEST(TheoryComparison, ModelsOfBaseForceAreNamed) {
   EXPECT_EQ(std::ranges::find(names, "janssen"), names.end());
 }
 
-TEST(TheoryComparison, StretchWithoutABinIsRefused) {
+TEST(TheoryComparison, IntervalWithoutABinIsRefused) {
   auto base = pile();
   base.centre = 2.5;
   base.half_width = 1.0;
@@ -269,7 +269,7 @@ TEST(TheoryComparison, ChoicesAreReadWithAllProblems) {
   EXPECT_EQ(problems[2], "--theory nonsense:a,=b,c=d: =b: must be key=value");
 }
 
-TEST(SummaryText, TheoryComesAndGoesAndLeavesTheRestAlone) {
+TEST(SummaryText, AddingAndRemovingTheoryKeepsTheRest) {
   const auto text =
       with_checksum("{\n  \"title\": \",\\n  \\\"theory\\\": 1\",\n  \"x\": {\n    \"theory\": 2\n  }\n}");
   ASSERT_TRUE(is_whole_summary(text));

@@ -68,8 +68,8 @@ Outline cut_off_polygon(double largest) {
   return outline;
 }
 
-/// Cell of grain k about its centre: the cut-off polygon clipped by every image of every other grain.
-Outline by_brute_force(const Grains<2>& grains, const std::vector<bool>& in_heap, const std::vector<Edge>& edges,
+/// The cell of grain k about its centre: the cut-off polygon, clipped by every image of every other grain.
+Outline by_brute_force(const Grains<2>& grains, const std::vector<bool>& in_heap, const std::vector<FlatWall>& walls,
                        const Box<2>& box, std::size_t k) {
   double largest = 0.0;
   for (std::size_t j = 0; j < grains.size(); ++j)
@@ -88,11 +88,11 @@ Outline by_brute_force(const Grains<2>& grains, const std::vector<bool>& in_heap
           clipped(outline, offset, 0.5 * (squared(offset) + own.radius * own.radius - other.radius * other.radius));
     }
   }
-  for (const auto& edge : edges) outline = clipped(outline, -edge.normal, dot(own.position - edge.point, edge.normal));
+  for (const auto& wall : walls) outline = clipped(outline, -wall.normal, dot(own.position - wall.point, wall.normal));
   return outline;
 }
 
-/// Discs of unequal size around the points of a square lattice; those of one row in ten are fixed, some overlap.
+/// Discs of unequal size near the points of a square lattice. One row in ten is fixed, and some discs overlap.
 Grains<2> scattered(int columns, int rows, double spacing, std::uint64_t seed) {
   Grains<2> grains;
   for (int k = 0; k < columns * rows; ++k) {
@@ -105,21 +105,21 @@ Grains<2> scattered(int columns, int rows, double spacing, std::uint64_t seed) {
   return grains;
 }
 
-std::vector<Edge> floor_and_lid(double height) {
+std::vector<FlatWall> floor_and_lid(double height) {
   return {{{{3.0, 0.0}}, {{0.0, 1.0}}}, {{{-1.0, height}}, {{0.0, -1.0}}}};
 }
 
-/// Largest difference of area and of vertices from brute force; each cell's outline must be its area's.
-void expect_brute_force(const Grains<2>& grains, const std::vector<bool>& in_heap, const std::vector<Edge>& edges,
+/// Compares areas with brute force; the outline of each cell must have its area.
+void expect_brute_force(const Grains<2>& grains, const std::vector<bool>& in_heap, const std::vector<FlatWall>& walls,
                         const Box<2>& box) {
-  const auto cells = voronoi(grains, in_heap, edges, box);
+  const auto cells = voronoi(grains, in_heap, walls, box);
   std::size_t next = 0;
   for (const auto k : by_id(grains)) {
     if (!in_heap[k]) continue;
     ASSERT_LT(next, cells.size());
     const auto& cell = cells[next++];
     ASSERT_EQ(cell.id, grains.id[k]);
-    const double area = area_of(by_brute_force(grains, in_heap, edges, box, k));
+    const double area = area_of(by_brute_force(grains, in_heap, walls, box, k));
     EXPECT_NEAR(cell.area, area, 1e-10) << cell.id;
     EXPECT_NEAR(area_of(cell.vertices), area, 1e-10) << cell.id;
     if (area > 0.0) {
@@ -157,7 +157,7 @@ TEST(Voronoi, SquareLatticeInAPeriodicBoxUpToItsFloor) {
   const auto cells = voronoi(grains, all(grains), {{{{0.0, 0.0}}, {{0.0, 1.0}}}}, periodic(8.0));
   for (int k = 0; k < 48; ++k) {
     const auto& cell = cells[static_cast<std::size_t>(k)];
-    EXPECT_EQ(cell.closed, k < 40) << k;  // all but the top row
+    EXPECT_EQ(cell.closed, k < 40) << k;  // all except the top row
     if (k >= 40) continue;
     EXPECT_NEAR(cell.area, 1.0, 1e-10);
     EXPECT_NEAR(cell.solid_fraction, std::numbers::pi / 4.0, 1e-10);
@@ -165,7 +165,7 @@ TEST(Voronoi, SquareLatticeInAPeriodicBoxUpToItsFloor) {
   }
 }
 
-// Discs of radii 1 and 0.5 in touch: their radical line is the common tangent, 1 and 0.5 from the centres.
+// The radical line of two touching discs with radii 1 and 0.5 is their common tangent, 1 and 0.5 from the centres.
 TEST(Voronoi, RadicalLineOfUnequalDiscs) {
   Grains<2> grains;
   grains.add(disc(2.0, 1.0, 1.0), 0);
@@ -196,17 +196,17 @@ TEST(Voronoi, LoneGrainHasTheCutOffPolygon) {
     EXPECT_NEAR(magnitude(vertex - grains.line[0].position), 1.5 / std::cos(std::numbers::pi / 32.0), 1e-10);
 }
 
-TEST(Voronoi, EdgesCutAndClose) {
+TEST(Voronoi, WallsCutAndCloseCells) {
   Grains<2> grains;
   grains.add(disc(0.0, 0.0), 0);
   const double diagonal = std::sqrt(0.5);
-  // A corner of two slopes, 0.6 and 0.5 from the centre, under a lid at 0.7.
-  std::vector<Edge> edges{{{{0.0, -0.6 / diagonal}}, {{diagonal, diagonal}}},
-                          {{{0.0, -0.5 / diagonal}}, {{-diagonal, diagonal}}}};
-  const auto open = voronoi(grains, all(grains), edges, {});
+  // A corner of two sloping walls, 0.6 and 0.5 from the centre, below a lid at 0.7.
+  std::vector<FlatWall> walls{{{{0.0, -0.6 / diagonal}}, {{diagonal, diagonal}}},
+                              {{{0.0, -0.5 / diagonal}}, {{-diagonal, diagonal}}}};
+  const auto open = voronoi(grains, all(grains), walls, {});
   EXPECT_FALSE(open[0].closed);
-  edges.push_back({{{0.0, 0.4}}, {{0.0, -1.0}}});
-  const auto shut = voronoi(grains, all(grains), edges, {});
+  walls.push_back({{{0.0, 0.4}}, {{0.0, -1.0}}});
+  const auto shut = voronoi(grains, all(grains), walls, {});
   EXPECT_TRUE(shut[0].closed);
   ASSERT_EQ(shut[0].vertices.size(), 3U);
   const double depth = 0.4 + (0.6 + 0.5) * diagonal;  // of the right-angled corner below the lid
@@ -224,14 +224,14 @@ TEST(Voronoi, FixedGrainsBoundCellsAndHaveNone) {
   EXPECT_NEAR(cells[0].area, 1.0, 1e-10);
 }
 
-TEST(Voronoi, NothingThere) {
+TEST(Voronoi, NoneWithoutGrains) {
   EXPECT_TRUE(voronoi({}, {}, {}, {}).empty());
   Grains<2> grains;
   grains.add(disc(0.0, 0.0, 0.5, true), 0);
   EXPECT_TRUE(voronoi(grains, {false}, {}, {}).empty());
 }
 
-// Wherever the small disc is, a larger one has the lesser power.
+// At every point of the small disc, a larger one has the smaller power.
 TEST(Voronoi, BuriedDiscHasAnEmptyCell) {
   Grains<2> grains;
   grains.add(disc(0.0, 0.0, 1.0), 0);
@@ -246,11 +246,11 @@ TEST(Voronoi, BuriedDiscHasAnEmptyCell) {
   EXPECT_TRUE(std::isnan(cells[1].solid_fraction));
 }
 
-// Between floor and lid the cells of a dense scatter leave no gap: their areas are the box's.
+// Between floor and lid the cells of dense random discs fill the box: their areas sum to that of the box.
 TEST(Voronoi, CellsFillAPeriodicBox) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     auto grains = scattered(15, 12, 0.8, seed);
-    for (std::size_t k = 0; k < grains.size(); k += 5) grains.line[k].position[0] -= 5.0;  // unwrapped places too
+    for (std::size_t k = 0; k < grains.size(); k += 5) grains.line[k].position[0] -= 5.0;  // unwrapped positions too
     const auto cells = voronoi(grains, all(grains), floor_and_lid(12 * 0.8), periodic(15 * 0.8));
     double sum = 0.0;
     for (const auto& cell : cells) {
@@ -274,7 +274,7 @@ TEST(Voronoi, AgreesWithBruteForce) {
   }
 }
 
-// Narrower than the reach: images beyond the nearest, and those of the grain itself, bound its cell.
+// In a box narrower than the reach, farther images, and those of the grain itself, bound its cell.
 TEST(Voronoi, NarrowPeriodicBox) {
   for (const int columns : {1, 2, 3, 5}) {
     const auto grains = scattered(columns, 9, 0.9, 3);
@@ -282,7 +282,7 @@ TEST(Voronoi, NarrowPeriodicBox) {
   }
 }
 
-// One fixed disc far larger than the grains bounds cells from farther than they reach themselves.
+// A fixed disc far larger than the grains bounds cells from beyond their own reach.
 TEST(Voronoi, LargeFixedNeighbour) {
   auto grains = scattered(12, 8, 0.9, 11);
   grains.add(disc(5.0, -20.0, 20.0, true), 1000);

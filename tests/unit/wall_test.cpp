@@ -25,7 +25,7 @@ Wall<2> segment(double x, double y, double half_length) {
   return {.point = {{x, y}}, .normal = {{0.0, 1.0}}, .half_length = half_length};
 }
 
-TEST(Wall, NearestPointOfASegment) {
+TEST(Wall, NearestPointOfAFiniteWall) {
   const auto wall = segment(0.0, 0.0, 2.0);
   const auto over = above(wall, {{1.5, 0.7}});
   EXPECT_DOUBLE_EQ(over.height, 0.7);
@@ -41,7 +41,7 @@ TEST(Wall, NearestPointOfASegment) {
   EXPECT_DOUBLE_EQ(above(Wall<2>{.point = {}, .normal = {{0.0, 1.0}}}, {{9.0, -0.3}}).height, -0.3);
 }
 
-// Grains rest on both sides' worth of a shelf: on its face, and, balanced exactly, on its end.
+// Grains rest on the face of a finite wall and, exactly balanced, on its end.
 TEST(Wall, CarriesTheWeight) {
   auto settings = settings_2d(1e-3, 1.0);
   settings.walls = {segment(0.0, 0.0, 2.0)};
@@ -55,7 +55,7 @@ TEST(Wall, CarriesTheWeight) {
   EXPECT_NEAR(world[beside].position[1], 0.5 - 200.0, 1.0);  // fell for 20
 }
 
-// A gate is there until it opens: from then on free fall, to the step.
+// A gate holds a grain until it opens. From that step on the grain is in free fall.
 TEST(Wall, GateOpensOnTime) {
   auto settings = settings_2d(1e-3, 1.0);
   settings.walls = {segment(0.0, 0.0, 5.0)};
@@ -65,11 +65,11 @@ TEST(Wall, GateOpensOnTime) {
   world.advance(3000);
   EXPECT_NEAR(world[grain].position[1], 0.5 - overlap_at_rest, 1e-9);
   world.advance(2000);
-  // Leapfrog of a constant acceleration: y = -g n (n + 1) dt^2 / 2.
+  // Leapfrog with a constant acceleration: y = -g n (n + 1) dt^2 / 2.
   EXPECT_NEAR(world[grain].position[1] - (0.5 - overlap_at_rest), -0.5 * 2000 * 2001 * 1e-6, 1e-9);
 }
 
-// A floor that goes up at a given speed carries a grain along at that speed, and feels its weight.
+// A floor that rises at a given speed carries a grain along at that speed, and carries its weight.
 TEST(Wall, PrescribedVelocity) {
   auto settings = settings_2d(1e-3, 1.0);
   settings.walls = {Wall<2>{.point = {}, .normal = {{0.0, 1.0}}}};
@@ -88,9 +88,9 @@ TEST(Wall, PrescribedVelocity) {
   EXPECT_NEAR(impulse[0][0], 0.0, 1e-12);
 }
 
-// A belt: a wall that moves along itself drags a grain by friction until it goes along: v = mu g t, then as the belt.
-// Rotation: a disc at rest put on a belt accelerates at mu g while it slips, its rim at 2 mu g the other way; slip ends
-// when v + spin part = belt speed: V = 3 mu g t, so v = V / 3 from then on.
+// A belt is a wall that moves along itself with speed V. It drags a disc by friction: v = mu g t while the disc slips.
+// The rim of the disc accelerates at 2 mu g in the opposite sense, so slip ends when V = 3 mu g t, and v = V / 3 from
+// then on.
 TEST(Wall, BeltDragsByFriction) {
   auto settings = settings_2d(1e-4, 1.0);
   settings.walls = {Wall<2>{.point = {}, .normal = {{0.0, 1.0}}}};
@@ -103,7 +103,7 @@ TEST(Wall, BeltDragsByFriction) {
   EXPECT_NEAR(world[grain].velocity[0], 1.0, 2e-3);
 }
 
-// A piston under a given force comes to rest on a grain that carries that force: overlap F / k on both sides.
+// A piston under a given force comes to rest on a grain, which carries that force: overlap F / k on both sides.
 TEST(Wall, PistonPressesWithItsForce) {
   auto settings = settings_2d(1e-3, 0.0);
   settings.walls = {Wall<2>{.point = {}, .normal = {{0.0, 1.0}}},
@@ -117,8 +117,8 @@ TEST(Wall, PistonPressesWithItsForce) {
   EXPECT_NEAR(world.method().walls()[1].speed, 0.0, 1e-9);
 }
 
-// Without grains: free acceleration F / M, and a spring whose far end runs ahead pulls the piston after it with the
-// period 2 pi sqrt(M / k): x(t) = V (t - sin(w t) / w). Leapfrog at w dt = 0.002 keeps four digits.
+// Without grains the acceleration is F / M. A spring whose far end moves at speed V pulls the piston with the period
+// 2 pi sqrt(M / k): x(t) = V (t - sin(w t) / w). Leapfrog at w dt = 0.002 is accurate to four digits.
 TEST(Wall, MotionOfAFreePiston) {
   auto settings = settings_2d(1e-3, 0.0);
   settings.walls = {Wall<2>{.point = {{0.0, 50.0}}, .normal = {{0.0, -1.0}}},
@@ -133,7 +133,7 @@ TEST(Wall, MotionOfAFreePiston) {
   EXPECT_NEAR(world.method().walls()[1].displacement, 0.2 * (5.0 - std::sin(10.0) / 2.0), 2e-4);
 }
 
-// A wall of another material acts by the law of that pair.
+// A wall of another material acts by the law of that pair of materials.
 TEST(Wall, Material) {
   auto settings = settings_2d(1e-3, 1.0);
   settings.walls = {Wall<2>{.point = {}, .normal = {{0.0, 1.0}}, .material = 1}};
@@ -144,9 +144,8 @@ TEST(Wall, Material) {
   EXPECT_NEAR(world[grain].position[1], 0.5 - 1.0 / 500.0, 1e-9);
 }
 
-// Grains slide down a plane at any angle above the friction angle with g (sin - mu cos), beyond rolling: a plane is not
-// axis-bound. tan(phi) > 3 mu for slipping discs.
-TEST(Wall, PlaneAtAnyAngle) {
+// A wall may have any slope. Discs slip on it if tan(phi) > 3 mu, with the acceleration g (sin - mu cos).
+TEST(Wall, AnySlope) {
   for (const double degrees : {-75.0, -65.0, 60.0, 80.0}) {
     const double angle = degrees * std::numbers::pi / 180.0;
     auto settings = settings_2d(1e-4, 1.0);

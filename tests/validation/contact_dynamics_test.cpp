@@ -14,14 +14,14 @@ using testing::open_box;
 using testing::rigid_2d;
 using testing::RigidWorld;
 
-// Claim: floor and walls of a box carry the weight of 1000 discs at rest to 1e-6. Source: statics. Discs of diameter
-// 0.8 to 1, friction 0.5, fall into a box 40 wide; seed 7. Tolerance: the residual is 1e-6 of g dt per contact and of
-// either sign; what is left of the motion shows in the same balance.
+// Claim: the floor and walls of a box carry the weight of 1000 discs at rest to 1e-6. Source: statics. Discs of
+// diameter 0.8 to 1, friction 0.5, fall into a box 40 wide; seed 7. Tolerance: the residual is 1e-6 of g dt per
+// contact, with either sign; the remaining motion enters the same balance.
 TEST(ContactDynamicsBox, CarriesTheWeightOf1000Discs) {
   ImpulseLaw law;
   law.friction = 0.5;
   auto settings = rigid_2d(0.05, 1.0);
-  settings.solver.most_sweeps = 500;  // while it falls; at rest few are needed
+  settings.solver.most_sweeps = 500;  // enough while the discs fall; at rest few are needed
   settings.walls = open_box(40.0);
   RigidWorld<2> world(law, settings);
   double weight = 0.0;
@@ -33,11 +33,11 @@ TEST(ContactDynamicsBox, CarriesTheWeightOf1000Discs) {
     weight += 4.0 * size * size;
   }
   ASSERT_FALSE(world.advance(900).trouble);
-  world.method.taken_wall_impulses();
+  world.method.take_wall_impulses();
   const long unconverged = world.method.account().unconverged;
   ASSERT_FALSE(world.advance(20).trouble);
   EXPECT_EQ(world.method.account().unconverged, unconverged);
-  const auto taken = world.method.taken_wall_impulses();
+  const auto taken = world.method.take_wall_impulses();
   const Vec<2> sum = taken[0] + taken[1] + taken[2];
   const double carried = weight * 0.05 * 20.0;
   EXPECT_NEAR(-sum[1] / carried, 1.0, 1e-6);

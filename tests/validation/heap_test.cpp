@@ -36,8 +36,7 @@ Heap pour(double spacing, std::int64_t seed) {
       "output = {{ window = 20.0 }}\nstop = {{ time = 1030.0 }}\n",
       seed, spacing);
   Simulation simulation(scene_from_text(text, "heap"), 1);
-  const std::atomic<bool> interrupt{false};
-  simulation.run({}, interrupt);
+  simulation.run();
   const auto results = analyse(simulation.record());
   return {.angle = 0.5 * (results.heap.left.value().angle_deg + results.heap.right.value().angle_deg),
           .moments = results.heap.moments_angle_deg.value(),

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-// Impacts and friction of discs under the whole method against closed forms (docs/verification.md).
+// Impacts and friction of discs in the soft method against closed forms (docs/verification.md).
 
 namespace repose {
 namespace {
@@ -23,7 +23,7 @@ using World = SoftWorld<2, AnyPairLaw>;
 constexpr double friction = 0.3;
 constexpr double restitution = 0.8;
 
-/// A stiff contact: restitution 0.8, and a tangential spring of 2/7 of the normal one.
+/// A stiff contact with restitution 0.8 and a tangential stiffness of 2/7 of the normal one.
 AnyPairLaw stiff() {
   Hooke hooke{1e6};
   hooke.damping_kind = DampingKind::restitution;
@@ -33,9 +33,9 @@ AnyPairLaw stiff() {
 
 struct Rebound {
   double normal;      ///< speed away from the wall
-  double tangential;  ///< along it
+  double tangential;  ///< speed along the wall
   double spin;
-  double energy;  ///< over that before
+  double energy;  ///< kinetic energy after over that before
 };
 
 /// A disc thrown at a wall without gravity.
@@ -51,9 +51,9 @@ Rebound thrown(double normal, double tangential, double spin) {
           kinetic_energy(world.grains) / before};
 }
 
-// Oblique impact over all angles. Where the contact slides throughout, |v_t| well above 3 mu (1 + e) v_n for a disc,
-// the tangential impulse is mu times the normal one: v_t' = v_t - mu (1 + e) v_n and w' R = -2 mu (1 + e) v_n. Nowhere
-// is energy gained, at grazing least of all. The damping is of first order in w dt = 0.02: 2e-3 of the impulse.
+// Oblique impacts at all angles. If the contact slides throughout (|v_t| well above 3 mu (1 + e) v_n for a disc), the
+// tangential impulse is mu times the normal one: v_t' = v_t - mu (1 + e) v_n and w' R = -2 mu (1 + e) v_n. No impact
+// gains energy, also at grazing incidence. The damping is of first order in w dt = 0.02: 2e-3 of the impulse.
 TEST(SoftOblique, ImpactAtEveryAngle) {
   int sliding = 0;
   for (int degrees = 1; degrees < 90; degrees += 2) {
@@ -65,7 +65,7 @@ TEST(SoftOblique, ImpactAtEveryAngle) {
     EXPECT_LT(after.energy, 1.0) << degrees;
     EXPECT_GT(after.energy, restitution * restitution * normal * normal) << degrees;
     const double impulse = friction * (1.0 + restitution) * normal;
-    if (tangential < 4.2 * impulse) continue;  // sticks for a while, at the latest when the contact ends
+    if (tangential < 4.2 * impulse) continue;  // sticks for some time, at the latest when the contact ends
     ++sliding;
     EXPECT_NEAR(after.tangential, tangential - impulse, 4e-3 * impulse) << degrees;
     EXPECT_NEAR(after.spin * 0.5, -2.0 * impulse, 8e-3 * impulse) << degrees;
@@ -73,17 +73,17 @@ TEST(SoftOblique, ImpactAtEveryAngle) {
   EXPECT_GT(sliding, 9);
 }
 
-// What is kept in any impact with a wall, slip or stick: m v R - I w about the contact point (m v_t R + I w counting
-// the spin counter-clockwise), since the only forces act there: to rounding.
+// Any impact with a wall, slipping or sticking, conserves the angular momentum about the contact point, m v_t R - I w
+// (w counter-clockwise), to rounding, because the only forces act there.
 TEST(SoftOblique, AngularMomentumAboutTheContact) {
   for (const auto& [tangential, spin] : {std::pair{0.3, 0.0}, std::pair{0.2, -2.0}, std::pair{-1.0, 5.0}}) {
     const auto after = thrown(1.0, tangential, spin);
-    // The lever is the radius of the disc whatever the overlap.
+    // The lever is the radius of the disc, independent of the overlap.
     EXPECT_NEAR(after.tangential * 0.5 - 0.125 * after.spin, tangential * 0.5 - 0.125 * spin, 1e-10);
   }
 }
 
-// A spinning disc that falls straight: it slides throughout if |w| R > 3 mu (1 + e) v_n, and leaves sideways.
+// A spinning disc falls vertically. It slides throughout if |w| R > 3 mu (1 + e) v_n, and leaves sideways.
 TEST(SoftOblique, SpinningImpact) {
   const double impulse = friction * (1.0 + restitution);
   for (const double spin : {-8.0, 8.0}) {
@@ -95,9 +95,9 @@ TEST(SoftOblique, SpinningImpact) {
   }
 }
 
-// A disc that cannot roll (mu_r = 5) sticks on a slope below the friction angle and beyond slides with
-// g (sin - mu cos): stick and slip, for the linear and the cumulative law. Until friction is built up the disc has
-// gained a speed of some 4e-3, which makes 0.04 of way in the time of 10.
+// A disc that cannot roll (mu_r = 5) sticks on a slope below the friction angle, and above it slides with the
+// acceleration g (sin - mu cos), for the linear and the cumulative law. Until friction has built up, the disc gains a
+// speed of some 4e-3, which adds 0.04 to its displacement in a time of 10.
 TEST(SoftIncline, StickAndSlip) {
   for (const TangentialLaw& tangential :
        {TangentialLaw(Linear{0.4, 1e4, 0.2}), TangentialLaw(Cumulative{0.4, 1.214})}) {
@@ -109,18 +109,18 @@ TEST(SoftIncline, StickAndSlip) {
       const Vec<2> start = settings.walls[0].normal * (0.5 - 5e-5 * std::cos(angle));
       const auto disc = world.add(start);
       world.advance(50000);  // time 10
-      const double way = magnitude(world[disc].position - start);
+      const double displacement = magnitude(world[disc].position - start);
       if (slope < 0.4) {
-        EXPECT_LT(way, 2e-3);
+        EXPECT_LT(displacement, 2e-3);
         EXPECT_LT(magnitude(world[disc].velocity), 1e-4);
       } else {
-        EXPECT_NEAR(way, (std::sin(angle) - 0.4 * std::cos(angle)) * 50.0, 0.05);
+        EXPECT_NEAR(displacement, (std::sin(angle) - 0.4 * std::cos(angle)) * 50.0, 0.05);
       }
     }
   }
 }
 
-// A stack of 20 discs: contact k from the top carries k weights, so its overlap is k m g / K. 1e-7 once settled.
+// A stack of 20 discs: contact k from the top carries k weights, so its overlap is k m g / K, to 1e-7 once settled.
 TEST(SoftStack, SettlesUnderItsWeight) {
   constexpr int count = 20;
   auto settings = settings_2d(1e-3, 1.0);
@@ -139,8 +139,8 @@ TEST(SoftStack, SettlesUnderItsWeight) {
   }
 }
 
-/// A large disc drives a small one (a tenth of its size, a hundredth of its mass) against another large one: speeds of
-/// the three in the end.
+/// The final velocities of three discs: a large disc drives a small one (a tenth of its size, a hundredth of its mass)
+/// against another large one.
 std::array<double, 3> three_grains(double time_step, bool synchronised) {
   auto settings = settings_2d(time_step, 0.0);
   settings.synchronised = synchronised;
@@ -152,8 +152,8 @@ std::array<double, 3> three_grains(double time_step, bool synchronised) {
   return {world[0].velocity[0], world[1].velocity[0], world[2].velocity[0]};
 }
 
-// Three grains of size ratio 10: the small one goes to and fro between the large ones, with either kind of velocities
-// as at a step 32 times as small, to a thousandth of the speed, at w dt = 0.2 of the small grain.
+// Three grains with size ratio 10: the small one bounces between the large ones. At w dt = 0.2 of the small grain both
+// kinds of velocities agree, to a thousandth of the speed, with a step that is 32 times smaller.
 TEST(SoftThreeGrains, SizeRatioOfTen) {
   const double step = 2e-4;
   const auto exact = three_grains(step / 32.0, true);

@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
-// Closed forms that the soft method must give. Units: grain diameter, grain mass, gravity.
-// Sources: Baxter et al. (1997), equation numbers in brackets, as corrected in docs/physics/soft.md.
+// The soft method against closed forms. Units: grain diameter, grain mass, gravity.
+// Source: Baxter et al. (1997), equation numbers in brackets, as corrected in docs/physics/soft.md.
 
 namespace repose {
 namespace {
@@ -20,10 +20,10 @@ Continuous continuous(double n, double cutoff, double damping = 0.5) {
   return Continuous::make(n, cutoff, damping, 1.0);
 }
 
-/// A still pair of equal discs at distance r, in reach up to 1.2.
+/// A pair of equal discs at rest at distance r, in reach up to 1.2.
 Touch<double> touch_at(double r) { return make_touch(r, 1.0 / r, 1.0, 1.2, 0.0, 1.0); }
 
-/// A disc let go a little above its place of rest on a fixed one; its height once it has come to rest.
+/// The height at which a disc comes to rest on a fixed one, released a little above it.
 template <class Law>
 double rest_height(const Law& law, double time_step) {
   SoftWorld<2, Law> world(law, settings_2d(time_step, 1.0));
@@ -33,8 +33,8 @@ double rest_height(const Law& law, double time_step) {
   return world[disc].position[1];
 }
 
-// A disc on a fixed one: F(r) = m g exactly at r = 1 by (3); k (1 - r) = m g at r = 1 - 1/k. Tolerance 1e-9 as asked:
-// half-critical damping takes the 1e-3 of the start below rounding in 60 time units.
+// A disc on a fixed one: F(r) = m g exactly at r = 1 by (3); k (1 - r) = m g at r = 1 - 1/k. Half-critical damping
+// reduces the initial 1e-3 below rounding in 60 time units, so the tolerance is 1e-9.
 TEST(SoftRest, DiscOnFixedDisc) {
   EXPECT_NEAR(rest_height(PairLaw{continuous(36, 1.2), Cumulative{}}, 0.001), 1.0, 1e-9);
   EXPECT_NEAR(rest_height(PairLaw{continuous(144, 1.047), Cumulative{}}, 0.0005), 1.0, 1e-9);
@@ -42,9 +42,9 @@ TEST(SoftRest, DiscOnFixedDisc) {
   EXPECT_NEAR(rest_height(PairLaw{Hooke{2e4, 0.5}, Linear{0.5, 1e4, 0.1}}, 0.001), 1.0 - 1.0 / 2e4, 1e-9);
 }
 
-// On a plane the same: an ordinary plane touches the rim (rest at y = r), the paper's smooth floor acts at the height
+// A disc on a wall: an ordinary wall touches the rim (rest at y = r); the smooth floor of the paper acts at the height
 // of the centre (rest at y = s).
-TEST(SoftRest, DiscOnPlanes) {
+TEST(SoftRest, DiscOnWalls) {
   for (const bool smooth : {false, true}) {
     auto settings = settings_2d(0.001, 1.0);
     settings.walls = {Wall<2>{.point = {{0.0, 0.0}}, .normal = {{0.0, 1.0}}, .smooth = smooth}};
@@ -55,7 +55,7 @@ TEST(SoftRest, DiscOnPlanes) {
   }
 }
 
-/// Undamped head-on impact on a fixed disc: relative change of the kinetic energy.
+/// The relative change of the kinetic energy in an undamped head-on impact on a fixed disc.
 template <class Law>
 double impact_energy_error(const Law& law, double speed, double time_step, double start = 1.3) {
   SoftWorld<2, Law> world(law, settings_2d(time_step, 0.0));
@@ -65,8 +65,9 @@ double impact_energy_error(const Law& law, double speed, double time_step, doubl
   return std::pow(world[disc].velocity[1] / speed, 2) - 1.0;
 }
 
-// Leapfrog keeps the energy of an undamped impact up to the truncation of the contact at both ends. At speed 14 (a fall
-// from 100) and the default step the bound asked for is 5e-6; the sampling phase matters, so several starts are tried.
+// Leapfrog conserves the energy of an undamped impact up to the truncation of the contact at both ends. At speed 14 (a
+// fall from 100) and the default step the bound is 5e-6. The error depends on the phase of the steps, so several speeds
+// are tried.
 TEST(SoftImpact, ContinuousLawKeepsEnergy) {
   const PairLaw law{continuous(36, 1.2, 0.0), None{}};
   for (const double speed : {13.9, 14.0, 14.1, 14.0 * std::sqrt(1.01)}) {
@@ -74,17 +75,17 @@ TEST(SoftImpact, ContinuousLawKeepsEnergy) {
   }
 }
 
-// n = 144 is not resolved by the step 0.001 (w dt = 1.5, refused by the program): at half the step it is.
+// The step 0.001 does not resolve n = 144 (w dt = 1.5, which the program refuses); half the step does.
 TEST(SoftImpact, StiffLawNeedsTheSmallerStep) {
   const PairLaw law{continuous(144, 1.047, 0.0), None{}};
   EXPECT_GT(std::fabs(impact_energy_error(law, 14.0, 0.001)), 1e-2);
   EXPECT_LT(std::fabs(impact_energy_error(law, 14.0, 0.0005)), 5e-4);
 }
 
-// Hooke's force has a kink at first touch and at parting, each met at a random phase of the step; the error is second
-// order in the step, with a factor that depends on both phases. Its root mean square over both (starts spread over one
-// step of way, stiffnesses that change the duration of the contact, 22 steps at the coarsest, by two steps) goes with
-// the square of the step: halving divides it by 4, within the 10 % that a finite sample of phases leaves.
+// Hooke's force has a kink at the first touch and at separation, each at a random phase of the step. The error is of
+// second order in the step, with a factor that depends on both phases. The test takes its root mean square over both
+// phases: starts spread over the distance of one step, and stiffnesses that change the duration of the contact (22
+// steps at the coarsest) by two steps. Halving the step divides it by 4, within the 10 % of a finite sample of phases.
 TEST(SoftImpact, HookeIsSecondOrder) {
   const auto error = [](double time_step) {
     double sum = 0.0;
@@ -106,8 +107,8 @@ TEST(SoftImpact, HookeIsSecondOrder) {
   EXPECT_NEAR(middle / fine, 4.0, 0.4);
 }
 
-// A disc sliding on an ordinary plane ends rolling at 2/3 of its speed: friction acts at the rim, so m v R - I w is
-// kept, and rolling means v = -w R. For a sphere it would be 5/7. Tolerance 1e-3 as asked.
+// A disc sliding on a wall ends rolling at 2/3 of its speed: friction acts at the rim, so m v R - I w is conserved, and
+// rolling means v = -w R. For a sphere it would be 5/7.
 TEST(SoftRolling, SlidingDiscEndsRollingAtTwoThirds) {
   const auto final_state = [](const auto& law) {
     auto settings = settings_2d(0.001, 1.0);
@@ -124,8 +125,8 @@ TEST(SoftRolling, SlidingDiscEndsRollingAtTwoThirds) {
   }
 }
 
-/// A pair held at distance r (the lower disc fixed), its upper disc dragged along: the tangential force over the
-/// elastic normal force once it slips.
+/// The tangential force over the elastic normal force of a pair held at distance r, after the upper disc was dragged
+/// along until it slips.
 double slip_ratio(double friction, double distance) {
   const Continuous normal = continuous(36, 1.2);
   const Cumulative law{friction, 1.214};
@@ -139,23 +140,23 @@ double slip_ratio(double friction, double distance) {
   return std::fabs(force) / normal_now.elastic;
 }
 
-// The slip limit of (5): F_T / F_e = mu, to 1e-6.
+// The slip limit of (5) is F_T / F_e = mu, to 1e-6.
 TEST(SoftFriction, SlipLimitIsTheFrictionCoefficient) {
   for (const double friction : {0.1, 0.5, 1.0}) {
     for (const double distance : {0.93, 1.0, 1.15}) EXPECT_NEAR(slip_ratio(friction, distance), friction, 1e-6);
   }
 }
 
-// --- The corrections to the printed equations. Each test fails when its correction is taken out; the number that was
-// --- then seen stands beside it.
+// --- The corrections to the printed equations. Each test fails without its correction; its comment gives the number
+// --- that results then.
 
-// Lever arm, (6): a touching pair of unequal discs that is turned as a rigid body makes no tangential displacement,
-// since v_t = W r - W (r s_i + r s_j)/(s_i + s_j) = 0. With the printed lever (the whole distance r for each disc) the
+// Lever arm, (6): a touching pair of unequal discs that rotates as a rigid body has no slip, since
+// v_t = W r - W (r s_i + r s_j)/(s_i + s_j) = 0. With the printed lever (the whole distance r for each disc) the slip
 // displacement grows at the rate W r to its clamp, -0.097.
-TEST(SoftCorrections, LeverArmRigidRotationMakesNoDisplacement) {
+TEST(SoftCorrections, LeverArmRigidRotationMakesNoSlip) {
   const PairLaw law{continuous(36, 1.2), Cumulative{}};
   const double turning = 0.7;
-  const double distance = 0.8;  // of discs of radii 0.5 and 0.3
+  const double distance = 0.8;  // sum of the radii 0.5 and 0.3
   Grain<2> a;
   Grain<2> b;
   a.radius = 0.5;
@@ -163,7 +164,7 @@ TEST(SoftCorrections, LeverArmRigidRotationMakesNoDisplacement) {
   a.mass = b.mass = a.inverse_mass = b.inverse_mass = 1.0;
   a.rim_velocity = turning * a.radius;
   b.rim_velocity = turning * b.radius;
-  double history = 0.0;
+  double slip = 0.0;
   for (int step = 0; step < 1000; ++step) {
     const double angle = turning * 0.001 * step;
     const Vec<2> along{{std::cos(angle), std::sin(angle)}};
@@ -173,21 +174,21 @@ TEST(SoftCorrections, LeverArmRigidRotationMakesNoDisplacement) {
     a.velocity = across * (0.3 * turning);
     b.velocity = across * ((0.3 - distance) * turning);
     soft::Push<2> push;
-    ASSERT_TRUE(soft::pair_force<false>(law, a, b, Box<2>{}, 0.001, history, push));
+    ASSERT_TRUE(soft::pair_force<false>(law, a, b, Box<2>{}, 0.001, slip, push));
   }
-  EXPECT_NEAR(history, 0.0, 1e-13);
+  EXPECT_NEAR(slip, 0.0, 1e-13);
 }
 
-// Lever arm, (13): linear and angular momentum of an isolated cluster are kept to rounding. With the printed lever the
-// angular momentum of this cluster goes from -0.031 to 0.008.
-TEST(SoftCorrections, LeverArmKeepsAngularMomentum) {
+// Lever arm, (13): linear and angular momentum of an isolated cluster are conserved to rounding. With the printed lever
+// the angular momentum of this cluster changes from -0.031 to 0.008.
+TEST(SoftCorrections, LeverArmConservesAngularMomentum) {
   const PairLaw law{continuous(36, 1.2), Cumulative{}};
   SoftWorld<2, PairLaw<Continuous, Cumulative>> world(law, settings_2d(1e-3, 0.0));
   world.add({{0.0, 0.0}}, {{0.3, 0.1}}, 1.0, 0.5);
   world.add({{0.95, 0.1}}, {{-0.5, 0.2}}, -2.0, 0.5);
   world.add({{0.4, 0.7}}, {{0.0, -0.6}}, 0.5, 0.35);
   world.add({{-0.3, 0.75}}, {{0.7, -0.9}}, 3.0, 0.3);
-  // Angular momentum with the position half a step ahead of the velocity: p x v is the same for x and x - v dt.
+  // Positions are half a step ahead of velocities, which does not change x cross v.
   const auto momenta = [&] {
     std::array<double, 3> sum{};
     for (const auto& g : world.grains.line) {
@@ -204,11 +205,11 @@ TEST(SoftCorrections, LeverArmKeepsAngularMomentum) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(after[k], before[k], 1e-12) << "component " << k;
 }
 
-// Clamp of delta itself: after slipping far, reversing the motion takes the friction off at once, because the stored
-// displacement is at its limit and no further. With only the force clamped, delta is 0.5 (four times the limit), and
-// after a way back of the limit it is still 0.379 and the force at its cap, -0.5 of the normal force, where both must
-// be 0 up to a step.
-TEST(SoftCorrections, ClampOfTheDisplacement) {
+// Clamp of the slip displacement delta itself: after a long slip, delta is at its limit, so a reversed motion reduces
+// friction immediately. If only the force were clamped, delta would be 0.5 (four times the limit); after a reverse slip
+// by the limit it would still be 0.379 and the force at its cap, -0.5 of the normal force, where both must be 0 up to a
+// step.
+TEST(SoftCorrections, ClampOfTheSlipDisplacement) {
   const Continuous normal = continuous(36, 1.2);
   const Cumulative law{0.5, 1.214};
   const auto touch = touch_at(1.0);
@@ -217,7 +218,7 @@ TEST(SoftCorrections, ClampOfTheDisplacement) {
   double delta = 0.0;
   for (int step = 0; step < 1000; ++step) tangential_force(law, touch, force_now, 0.5, 0.001, delta);
   EXPECT_DOUBLE_EQ(delta, limit);
-  // Back by the limit, slowly, so that the dashpot counts for little.
+  // Reverse slip by the limit, slowly, so that the dashpot is small.
   const double speed = 0.01;
   const int steps = static_cast<int>(std::lround(limit / (speed * 0.001)));
   double force = 0.0;
@@ -226,7 +227,7 @@ TEST(SoftCorrections, ClampOfTheDisplacement) {
   EXPECT_NEAR(force / force_now.elastic, 0.0, 0.05);
 }
 
-// The clamp holds also where the limit shrinks because the pair moves apart: delta follows it down. Without it delta
+// The clamp also holds if the limit decreases because the pair moves apart: delta follows it. Without the clamp delta
 // stays at 0.08.
 TEST(SoftCorrections, ClampFollowsAShrinkingLimit) {
   const Continuous normal = continuous(36, 1.2);
@@ -240,9 +241,9 @@ TEST(SoftCorrections, ClampFollowsAShrinkingLimit) {
   EXPECT_NEAR(delta, law.alpha * law.friction * 0.01, 1e-12);
 }
 
-// Damping of d(delta)/dt, not of the velocity of the centres alone, (4): a disc rolling on a fixed one has centres that
-// move past each other but no slip, so no tangential force. With the velocity of the centres alone F_T/F_e is 0.5002,
-// the cap over the damped normal force, and the disc is braked.
+// Damping of d(delta)/dt, not of the relative velocity of the centres, (4): if a disc rolls on a fixed one, the centres
+// move past each other but there is no slip, so no tangential force. With the velocity of the centres alone F_T/F_e is
+// 0.5002, the cap over the damped normal force, and the disc is braked.
 TEST(SoftCorrections, DampingOfSlipNotOfCentres) {
   const PairLaw law{continuous(36, 1.2), Cumulative{}};
   SoftWorld<2, PairLaw<Continuous, Cumulative>> world(law, settings_2d(1e-4, 0.0));
@@ -257,8 +258,8 @@ TEST(SoftCorrections, DampingOfSlipNotOfCentres) {
   EXPECT_NEAR(world[disc].velocity[0], -speed, 1e-6);
 }
 
-// Cap of F_T: at first touch the dashpot of (8) is large while the normal force is small; the total must not exceed
-// mu F_e. Without the cap it is 386 times that at an engagement of 0.05 and 15 times at 0.2.
+// Cap of F_T: at the first touch the dashpot of (8) is large while the normal force is small. The total must not exceed
+// mu F_e. Without the cap it exceeds it 386 times at an engagement of 0.05 and 15 times at 0.2.
 TEST(SoftCorrections, CapOfTheTangentialForce) {
   const Continuous normal = continuous(36, 1.2);
   const Cumulative law{0.5, 1.214};
@@ -272,9 +273,8 @@ TEST(SoftCorrections, CapOfTheTangentialForce) {
   }
 }
 
-// Synchronised velocities: a light disc between heavy ones. The half-step velocity lags, which for the damping of a
-// light grain at w dt near 1 matters; the prediction keeps the rest position and stays stable.
-TEST(SoftSynchronised, RestsAtTheSamePlace) {
+// Predicted velocities do not change the position of rest.
+TEST(SoftSynchronised, RestsAtTheSameHeight) {
   auto settings = settings_2d(0.001, 1.0);
   settings.synchronised = true;
   SoftWorld<2, PairLaw<Continuous, Cumulative>> world({continuous(36, 1.2), {}}, settings);
@@ -284,7 +284,7 @@ TEST(SoftSynchronised, RestsAtTheSamePlace) {
   EXPECT_NEAR(world[disc].position[1], 1.0, 1e-9);
 }
 
-// A damped impact has a step-size error that is first order with half-step velocities and second order with predicted
+// The time-step error of a damped impact is of first order with half-step velocities and of second order with predicted
 // ones: halving the step halves, or quarters, the change of the rebound speed.
 TEST(SoftSynchronised, DampedImpactConvergesFaster) {
   const auto rebound = [](bool synchronised, double time_step) {
@@ -303,7 +303,7 @@ TEST(SoftSynchronised, DampedImpactConvergesFaster) {
     const double ratio = (a - b) / (b - c);
     EXPECT_GT(a, 0.0);
     if (synchronised) {
-      EXPECT_NEAR(ratio, 4.0, 1.2);  // 4 for small steps; the next order is still seen here
+      EXPECT_NEAR(ratio, 4.0, 1.2);  // 4 for small steps; the next order is still visible here
     } else {
       EXPECT_NEAR(ratio, 2.0, 0.4);
     }

@@ -14,7 +14,7 @@ namespace repose {
 
 namespace {
 
-/// Sets of contacts that grow together.
+/// A union-find structure over contacts.
 class Union {
  public:
   explicit Union(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
@@ -34,10 +34,10 @@ class Union {
 
 using Places = std::unordered_map<std::int64_t, std::size_t>;
 
-/// Axis of the largest eigenvalue of the sum of n n, in (-90, 90] degrees.
+/// The axis of the largest eigenvalue of the sum of n n, in (-90, 90] degrees.
 double axis_deg(double xx, double yy, double xy) {
   const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy) * 180.0 / std::numbers::pi;
-  return angle > -90.0 ? angle : 90.0;  // rounding may put an upright axis at -90
+  return angle > -90.0 ? angle : 90.0;  // rounding may put a vertical axis at -90
 }
 
 std::vector<std::size_t> strong_contacts(const Contacts<2>& contacts, double threshold) {
@@ -59,7 +59,8 @@ std::vector<std::size_t> strong_contacts(const Contacts<2>& contacts, double thr
   return strong;
 }
 
-/// Box around the centres of a chain's grains, and how many there are. Walks from grain to grain along the contacts.
+/// Sets the number of a chain's grains, and the width and height of the box around their centres. Follows the contacts
+/// from grain to grain, so that a chain may cross the sides of a periodic box.
 void measure(Chain& chain, const std::vector<std::size_t>& members, const Grains<2>& grains,
              const Contacts<2>& contacts, const Places& place, const Box<2>& box) {
   std::map<std::int64_t, std::vector<std::int64_t>> partners;
@@ -71,7 +72,7 @@ void measure(Chain& chain, const std::vector<std::size_t>& members, const Grains
     partners[contact.second].push_back(contact.first);
   }
   const auto where = [&](std::int64_t id) { return grains.line[place.at(id)].position; };
-  std::map<std::int64_t, Vec<2>> centre;  // relative to the first
+  std::map<std::int64_t, Vec<2>> centre;  // relative to the first grain
   std::vector<std::int64_t> ahead{partners.begin()->first};
   centre[ahead.front()] = {};
   Vec<2> low{};
@@ -102,7 +103,7 @@ Chains find_chains(const Grains<2>& grains, const Contacts<2>& contacts, double 
   for (std::size_t k = 0; k < grains.size(); ++k) place.emplace(grains.id[k], k);
   const auto strong = strong_contacts(contacts, threshold);
   Union sets(strong.size());
-  std::unordered_map<std::int64_t, std::size_t> first_at;  // of each moving grain, its first strong contact
+  std::unordered_map<std::int64_t, std::size_t> first_at;  // the first strong contact of each moving grain
   for (std::size_t s = 0; s < strong.size(); ++s) {
     const auto& contact = contacts.list[strong[s]];
     for (const auto id : {contact.first, contact.second}) {
@@ -111,7 +112,7 @@ Chains find_chains(const Grains<2>& grains, const Contacts<2>& contacts, double 
       if (!is_new) sets.join(entry->second, s);
     }
   }
-  std::map<std::size_t, std::vector<std::size_t>> members;  // contacts by set, which is named by its first
+  std::map<std::size_t, std::vector<std::size_t>> members;  // contacts of each set; a set is named by its first
   for (std::size_t s = 0; s < strong.size(); ++s) members[sets.find(s)].push_back(strong[s]);
   std::vector<const std::vector<std::size_t>*> order;
   for (const auto& [set, list] : members) order.push_back(&list);

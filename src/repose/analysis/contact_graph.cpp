@@ -36,26 +36,26 @@ ContactGraph contact_graph(const Discs& discs, const Box<2>& box, double gap) {
   return graph;
 }
 
-std::vector<std::uint8_t> plane_contacts(const Discs& discs, const Planes& planes, double gap) {
+std::vector<std::uint8_t> wall_contacts(const Discs& discs, const PackingWalls& walls, double gap) {
   std::vector<std::uint8_t> count(discs.size(), 0);
   for (std::size_t k = 0; k < discs.size(); ++k) {
     const double reach = discs.radius[k] * (1.0 + 2.0 * gap);
     const auto& centre = discs.position[k];
-    if (planes.floor && centre[1] - *planes.floor < reach) ++count[k];
-    if (planes.left && centre[0] - *planes.left < reach) ++count[k];
-    if (planes.right && *planes.right - centre[0] < reach) ++count[k];
+    if (walls.floor && centre[1] - *walls.floor < reach) ++count[k];
+    if (walls.left && centre[0] - *walls.left < reach) ++count[k];
+    if (walls.right && *walls.right - centre[0] < reach) ++count[k];
   }
   return count;
 }
 
 std::vector<std::uint8_t> rattlers(const Discs& discs, const ContactGraph& graph,
-                                   const std::vector<std::uint8_t>& on_planes, std::size_t least) {
-  REPOSE_ASSERT(on_planes.size() == discs.size());
+                                   const std::vector<std::uint8_t>& on_walls, std::size_t least) {
+  REPOSE_ASSERT(on_walls.size() == discs.size());
   std::vector<std::uint8_t> gone(discs.size(), 0);
   std::vector<std::size_t> left(discs.size());
   std::vector<std::uint32_t> waiting;
   for (std::uint32_t k = 0; k < discs.size(); ++k) {
-    left[k] = graph.degree(k) + on_planes[k];
+    left[k] = graph.degree(k) + on_walls[k];
     if (discs.base[k] || left[k] >= least) continue;
     gone[k] = 1;
     waiting.push_back(k);

@@ -12,12 +12,12 @@
 
 namespace repose {
 
-/// The discs of a packing: what its geometry is read from. Arrays of one length, in order of deposition (base first or
-/// not); positions of a periodic box are wrapped.
+/// The geometry of a packing. All arrays have one entry per disc, in order of deposition; base discs may stand
+/// anywhere. Positions in a periodic box are wrapped.
 struct Discs {
   std::vector<Vec<2>> position;    ///< [L] centres
   std::vector<double> radius;      ///< [L] > 0
-  std::vector<std::uint8_t> base;  ///< 1: belongs to the base, was not deposited
+  std::vector<std::uint8_t> base;  ///< 1: a base disc, which was not deposited
 
   std::size_t size() const { return position.size(); }
   void add(const Vec<2>& centre, double disc_radius, bool is_base = false) {
@@ -27,14 +27,14 @@ struct Discs {
   }
 };
 
-/// The grains by ascending id (the order in which sources add them), wrapped into the box. A grain is of the base if it
-/// is flagged so; whether it is fixed does not matter, because some methods fix what they have deposited.
+/// The grains by ascending id (the order in which sources add them), wrapped into the box. A base disc is a grain
+/// flagged as base; whether it is fixed does not matter, because some methods fix the grains that they deposit.
 Discs discs_of(const Grains<2>& grains, const Box<2>& box);
 
-/// Number of discs that are not of the base.
+/// Number of deposited discs.
 std::size_t deposited_count(const Discs& discs);
 
-/// Mean diameter [L] of the discs that are not of the base; not a number for none.
+/// Mean diameter [L] of the deposited discs; NaN if there are none.
 double mean_diameter(const Discs& discs);
 
 }  // namespace repose

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double degrees = 180.0 / std::numbers::pi;
 
-// What is summed in each block.
+// The sums of each block.
 enum Sum : std::size_t { contacts, xx, yy, xy, folded_xy };
 using Sums = std::array<double, 5>;
 
@@ -28,7 +28,7 @@ FabricTensor tensor_of(const std::vector<Sums>& blocks, Sum off_diagonal) {
     return 2.0 * std::hypot(sum[yy] - sum[xx], 2.0 * sum[off_diagonal]) / sum[contacts];
   });
   tensor.direction_deg.mean = 0.5 * degrees * std::atan2(2.0 * tensor.xy, tensor.yy - tensor.xx);
-  // An axis has no sign: the others are turned to the side of the whole before they are compared.
+  // An axis has no sign, so the axis of a part is turned to the side of the axis of the whole before they are compared.
   const double whole = tensor.direction_deg.mean;
   tensor.direction_deg = over_blocks(blocks, [off_diagonal, whole](const Sums& sum) {
     const double angle = 0.5 * degrees * std::atan2(2.0 * sum[off_diagonal], sum[yy] - sum[xx]);
@@ -40,8 +40,8 @@ FabricTensor tensor_of(const std::vector<Sums>& blocks, Sum off_diagonal) {
 
 }  // namespace
 
-std::optional<Fabric> read_fabric(const Discs& discs, const ContactGraph& graph, const Slab& slab, std::size_t bins,
-                                  std::size_t blocks) {
+std::optional<Fabric> measure_fabric(const Discs& discs, const ContactGraph& graph, const Slab& slab, std::size_t bins,
+                                     std::size_t blocks) {
   Fabric fabric;
   std::vector<Sums> sums(blocks);
   std::array<double, 6> waves{};
@@ -51,8 +51,8 @@ std::optional<Fabric> read_fabric(const Discs& discs, const ContactGraph& graph,
     for (const auto j : graph.of(i)) {
       if (j <= i) continue;
       const Vec<2> branch = separation(discs.position[j], discs.position[i], slab.box);
-      const double share = discs.radius[i] / (discs.radius[i] + discs.radius[j]);
-      const Vec<2> point = slab.box.wrapped(discs.position[i] + branch * share);
+      const double fraction = discs.radius[i] / (discs.radius[i] + discs.radius[j]);
+      const Vec<2> point = slab.box.wrapped(discs.position[i] + branch * fraction);
       const double length = magnitude(branch);
       if (!slab.holds(point) || !(length > 0.0)) continue;
       ++fabric.contacts;
@@ -74,9 +74,9 @@ std::optional<Fabric> read_fabric(const Discs& discs, const ContactGraph& graph,
       waves[3] += sin_4;
       waves[4] += cos_4 * cos_2 - sin_4 * sin_2;
       waves[5] += sin_4 * cos_2 + cos_4 * sin_2;
-      const double angle = degrees * std::atan2(sine, cosine);  // either end of the branch: modulo 180 below
-      const auto places = static_cast<std::int64_t>(std::floor((angle + 270.0) * per_bin - 0.5));
-      ++fabric.count[static_cast<std::size_t>(places) % bins];
+      const double angle = degrees * std::atan2(sine, cosine);  // from either end of the branch; modulo 180 below
+      const auto bin = static_cast<std::int64_t>(std::floor((angle + 270.0) * per_bin - 0.5));
+      ++fabric.count[static_cast<std::size_t>(bin) % bins];
     }
   }
   if (fabric.contacts == 0) return std::nullopt;

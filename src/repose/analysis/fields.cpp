@@ -32,28 +32,28 @@ struct Quadrature {
   }
 };
 
-/// A force that acts along a branch.
-struct Pull {
+/// A contact of the heap: a force and the branch that it acts along.
+struct Branch {
   Vec<2> start{};   // [L]
-  Vec<2> branch{};  // [L] from `start` to the centre of the grain that feels the force
+  Vec<2> branch{};  // [L] from `start` to the centre of the grain on which the force acts
   Vec<2> force{};   // [M L/T^2]
   bool support = false;
 };
 
-/// Contacts of the heap, in the order of the list.
-std::vector<Pull> find_pulls(const Grains<2>& grains, const Contacts<2>& contacts, const std::vector<bool>& in_heap,
-                             const Box<2>& box) {
+/// The contacts of the heap, in the order of the list.
+std::vector<Branch> find_branches(const Grains<2>& grains, const Contacts<2>& contacts,
+                                  const std::vector<bool>& in_heap, const Box<2>& box) {
   std::unordered_map<std::int64_t, std::size_t> place;
   place.reserve(grains.size());
   for (std::size_t k = 0; k < grains.size(); ++k) place.emplace(grains.id[k], k);
-  std::vector<Pull> pulls;
+  std::vector<Branch> branches;
   for (const auto& contact : contacts.list) {
     const auto first = place.at(contact.first);
     const Vec<2>& at_first = grains.line[first].position;
     const Vec<2> force = force_of(contact);
     if (contact.second < 0) {
       const Vec<2> branch = contact.normal * contact.first_lever;
-      if (in_heap[first]) pulls.push_back({at_first - branch, branch, force, true});
+      if (in_heap[first]) branches.push_back({at_first - branch, branch, force, true});
       continue;
     }
     const auto second = place.at(contact.second);
@@ -61,17 +61,17 @@ std::vector<Pull> find_pulls(const Grains<2>& grains, const Contacts<2>& contact
     const Vec<2> between = separation(at_first, at_second, box);
     const Vec<2> lever = contact.normal * contact.first_lever;
     if (in_heap[first] && in_heap[second]) {
-      pulls.push_back({at_first - between, between, force, false});
+      branches.push_back({at_first - between, between, force, false});
     } else if (in_heap[first]) {
-      pulls.push_back({at_first - lever, lever, force, true});
+      branches.push_back({at_first - lever, lever, force, true});
     } else if (in_heap[second]) {
-      pulls.push_back({at_second + (between - lever), lever - between, -force, true});
+      branches.push_back({at_second + (between - lever), lever - between, -force, true});
     }
   }
-  return pulls;
+  return branches;
 }
 
-/// Cells of one axis.
+/// The cells along one axis.
 struct Axis {
   double origin = 0.0;  // [L] lower edge of cell 0
   long count = 0;
@@ -85,7 +85,7 @@ struct Grid {
   double cells() const { return static_cast<double>(axis[0].count) * static_cast<double>(axis[1].count); }
 };
 
-/// Cells of about `cell` [L] that cover the places from `low` to `high` and their surroundings.
+/// A grid with cells of about `cell` [L] that covers the points from `low` to `high` and a margin of `reach`.
 Grid make_grid(const Vec<2>& low, const Vec<2>& high, const Box<2>& box, double width, double cell) {
   Grid grid;
   grid.cell = cell;
@@ -102,7 +102,7 @@ Grid make_grid(const Vec<2>& low, const Vec<2>& high, const Box<2>& box, double 
   return grid;
 }
 
-/// What a Gaussian, at a point or averaged along a line, gives to each cell near it; the shares sum to one.
+/// The weights that a Gaussian, at a point or averaged along a line, has in the cells near it. They sum to one.
 class Smear {
  public:
   Smear(const Grid& grid, double width) : grid_(grid), width_(width) {}
@@ -114,23 +114,23 @@ class Smear {
 
   void along(const Vec<2>& start, const Vec<2>& branch) {
     open(start, start + branch);
-    const double pieces = std::max(1.0, std::ceil(magnitude(branch) / width_));
-    for (double piece = 0.0; piece < pieces; piece += 1.0) {
+    const double intervals = std::max(1.0, std::ceil(magnitude(branch) / width_));
+    for (double interval = 0.0; interval < intervals; interval += 1.0) {
       for (std::size_t k = 0; k < quadrature_.place.size(); ++k)
-        spread(start + branch * ((piece + quadrature_.place[k]) / pieces), quadrature_.weight[k] / pieces);
+        spread(start + branch * ((interval + quadrature_.place[k]) / intervals), quadrature_.weight[k] / intervals);
     }
   }
 
-  /// Adds `total` times the shares to a field, as a density.
+  /// Adds `total` times the weights to a field, as a density.
   void add(std::vector<double>& field, double total) const {
     const double scale = total / squared(grid_.cell);
     const auto& columns = grid_.axis[0];
     for (std::size_t row = 0; row < count_[1]; ++row) {
-      const double* share = shares_.data() + row * count_[0];
+      const double* weight = weights_.data() + row * count_[0];
       double* line = field.data() + (first_[1] + static_cast<long>(row)) * columns.count;
       long column = columns.wraps ? ((first_[0] % columns.count) + columns.count) % columns.count : first_[0];
       for (std::size_t k = 0; k < count_[0]; ++k) {
-        line[column] += scale * share[k];
+        line[column] += scale * weight[k];
         if (++column == columns.count) column = 0;
       }
     }
@@ -141,7 +141,7 @@ class Smear {
     return static_cast<long>(std::floor((place - grid_.axis[axis].origin) / grid_.cell));
   }
 
-  /// Clears the shares of the cells around a line.
+  /// Sets the weights of the cells around a line to zero.
   void open(const Vec<2>& start, const Vec<2>& end) {
     for (int k = 0; k < 2; ++k) {
       const auto axis = static_cast<std::size_t>(k);
@@ -154,7 +154,7 @@ class Smear {
       count_[axis] = static_cast<std::size_t>(last - first_[axis] + 1);
       along_[axis].resize(count_[axis]);
     }
-    shares_.assign(count_[0] * count_[1], 0.0);
+    weights_.assign(count_[0] * count_[1], 0.0);
   }
 
   void spread(const Vec<2>& point, double weight) {
@@ -171,24 +171,24 @@ class Smear {
     }
     for (std::size_t row = 0; row < count_[1]; ++row) {
       const double factor = weight * along_[1][row];
-      double* share = shares_.data() + row * count_[0];
-      for (std::size_t k = 0; k < count_[0]; ++k) share[k] += factor * along_[0][k];
+      double* sum = weights_.data() + row * count_[0];
+      for (std::size_t k = 0; k < count_[0]; ++k) sum[k] += factor * along_[0][k];
     }
   }
 
   Grid grid_;
   double width_;
   Quadrature quadrature_;
-  std::array<long, 2> first_{};  // of a wrapping axis, before wrapping
+  std::array<long, 2> first_{};  // first cell; on a wrapping axis, before wrapping
   std::array<std::size_t, 2> count_{};
   std::array<std::vector<double>, 2> along_;
-  std::vector<double> shares_;
+  std::vector<double> weights_;
 };
 
 std::vector<double> centres(const Axis& axis, double cell) {
-  std::vector<double> places;
-  for (long k = 0; k < axis.count; ++k) places.push_back(axis.origin + (static_cast<double>(k) + 0.5) * cell);
-  return places;
+  std::vector<double> values;
+  for (long k = 0; k < axis.count; ++k) values.push_back(axis.origin + (static_cast<double>(k) + 0.5) * cell);
+  return values;
 }
 
 }  // namespace
@@ -199,25 +199,25 @@ Fields coarse_grained(const Grains<2>& grains, const Contacts<2>& contacts, cons
   Fields fields;
   fields.width = width;
   fields.cell = 0.5 * width;
-  const auto pulls = find_pulls(grains, contacts, in_heap, box);
-  std::vector<Vec<2>> places;
+  const auto branches = find_branches(grains, contacts, in_heap, box);
+  std::vector<Vec<2>> points;
   for (std::size_t k = 0; k < grains.size(); ++k)
-    if (in_heap[k]) places.push_back(grains.line[k].position);
-  if (places.empty()) return fields;
-  for (const auto& pull : pulls) {
-    places.push_back(pull.start);
-    places.push_back(pull.start + pull.branch);
+    if (in_heap[k]) points.push_back(grains.line[k].position);
+  if (points.empty()) return fields;
+  for (const auto& branch : branches) {
+    points.push_back(branch.start);
+    points.push_back(branch.start + branch.branch);
   }
-  Vec<2> low = places.front();
+  Vec<2> low = points.front();
   Vec<2> high = low;
-  for (const auto& place : places) {
+  for (const auto& point : points) {
     for (int k = 0; k < 2; ++k) {
-      low[k] = std::min(low[k], place[k]);
-      high[k] = std::max(high[k], place[k]);
+      low[k] = std::min(low[k], point[k]);
+      high[k] = std::max(high[k], point[k]);
     }
   }
 
-  // Cells of a periodic box are no wider than it.
+  // Cells are no wider than a periodic box, so a grain far above would need too many of them.
   if (box.periodic && high[1] - low[1] + 2.0 * reach * width > 0.5 * most_cells * box.width()) return fields;
   Grid grid = make_grid(low, high, box, width, fields.cell);
   for (double cell = fields.cell; grid.cells() > most_cells; grid = make_grid(low, high, box, width, cell))
@@ -239,14 +239,14 @@ Fields coarse_grained(const Grains<2>& grains, const Contacts<2>& contacts, cons
     smear.add(fields.density, grain.mass);
     smear.add(fields.solid_fraction, std::numbers::pi * squared(grain.radius));
   }
-  for (const auto& pull : pulls) {
-    smear.along(pull.start, pull.branch);
+  for (const auto& contact : branches) {
+    smear.along(contact.start, contact.branch);
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 2; ++b)
-        smear.add(fields.stress[static_cast<std::size_t>(2 * a + b)], pull.force[a] * pull.branch[b]);
-    if (!pull.support) continue;
-    smear.at(pull.start);
-    for (int a = 0; a < 2; ++a) smear.add(fields.support[static_cast<std::size_t>(a)], pull.force[a]);
+        smear.add(fields.stress[static_cast<std::size_t>(2 * a + b)], contact.force[a] * contact.branch[b]);
+    if (!contact.support) continue;
+    smear.at(contact.start);
+    for (int a = 0; a < 2; ++a) smear.add(fields.support[static_cast<std::size_t>(a)], contact.force[a]);
   }
   return fields;
 }

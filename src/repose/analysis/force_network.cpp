@@ -50,13 +50,13 @@ ForceNetwork measure_force_network(const Grains<2>& grains, const Contacts<2>& c
   if (grains_counted > 0) {
     const auto count = static_cast<double>(grains_counted);
     network.coordination = static_cast<double>(ends) / count;
-    for (auto& share : network.connectivity) share /= count;
+    for (auto& fraction : network.connectivity) fraction /= count;
   }
   if (network.contacts > 0) {
     const auto count = static_cast<double>(network.contacts);
     network.anisotropy = 2.0 * std::hypot(xx - yy, 2.0 * xy) / count;
     const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy) * 180.0 / std::numbers::pi;
-    network.direction_deg = angle > -90.0 ? angle : 90.0;  // rounding may put an upright axis at -90
+    network.direction_deg = angle > -90.0 ? angle : 90.0;  // rounding may put a vertical axis at -90
   }
   return network;
 }

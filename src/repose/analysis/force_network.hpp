@@ -11,25 +11,26 @@
 
 namespace repose {
 
-/// Who touches whom, among contacts that carry more than a stated force.
+/// The network of contacts above a force threshold.
 struct ForceNetwork {
-  std::size_t contacts = 0;              ///< that count
-  std::optional<double> coordination;    ///< mean number per grain of the heap, base and planes included as partners
-  std::array<double, 7> connectivity{};  ///< share of those grains with 0, 1, ... 5, and 6 or more
+  std::size_t contacts = 0;              ///< number of these contacts
+  std::optional<double> coordination;    ///< mean number per grain of the heap; base grains and walls are partners too
+  std::array<double, 7> connectivity{};  ///< fraction of the grains with 0, 1, ... 5 contacts, and 6 or more
   std::optional<double> anisotropy;      ///< 2 (l1 - l2) of the fabric tensor <n n>, in [0, 2]: 0 isotropic
-  std::optional<double> direction_deg;   ///< of l1's axis from the horizontal, in (-90, 90]
+  std::optional<double> direction_deg;   ///< axis of l1 from the horizontal, in (-90, 90]
 };
 
-/// Contacts with normal force above `threshold` [M L/T^2] among the grains flagged `in_heap` and their surroundings.
+/// Measures the network of contacts with a normal force above `threshold` [M L/T^2]. Coordination and connectivity are
+/// those of the grains flagged `in_heap`; the other numbers are over all these contacts.
 ForceNetwork measure_force_network(const Grains<2>& grains, const Contacts<2>& contacts,
                                    const std::vector<bool>& in_heap, double threshold);
 
-/// Mean magnitude of the net force on a moving grain over its own weight: 0 at rest, 1 in free fall. Computed from the
-/// contacts alone, apart from the method that moved the grains. Not a number without gravity.
+/// The mean over moving grains of the net force (magnitude) divided by the grain's weight: 0 at rest, 1 in free fall.
+/// It is computed from the contacts alone, independently of the method that moved the grains. NaN without gravity.
 template <int D>
 double force_residual(const Grains<D>& grains, const Contacts<D>& contacts, const Vec<D>& gravity);
 
-/// Deepest overlap over the mean diameter of its pair; 0 without contacts.
+/// The largest overlap divided by the mean diameter of its pair; 0 without contacts.
 template <int D>
 double max_overlap(const Contacts<D>& contacts);
 

@@ -10,7 +10,7 @@ namespace repose {
 
 namespace {
 
-/// Counts as probability densities; all zero without any.
+/// Probability densities from counts; all zero if the counts are.
 std::vector<double> densities(const std::vector<double>& counts, double bin_width) {
   double all = 0.0;
   for (const double count : counts) all += count;
@@ -19,7 +19,7 @@ std::vector<double> densities(const std::vector<double>& counts, double bin_widt
   return values;
 }
 
-/// Axis of a contact from the horizontal, in [0, 180) degrees.
+/// The axis of a contact from the horizontal, in [0, 180) degrees.
 double axis_deg(const Vec<2>& normal) {
   const double angle = std::atan2(normal[1], normal[0]) * 180.0 / std::numbers::pi;
   const double folded = angle < 0.0 ? angle + 180.0 : angle;

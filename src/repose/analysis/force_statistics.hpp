@@ -9,24 +9,24 @@
 
 namespace repose {
 
-/// Distribution of normal forces and of contact directions over the contacts that carry more than a threshold.
+/// Distributions of the normal force and of the direction over the contacts above a force threshold.
 struct ForceStatistics {
-  double mean = 0.0;            ///< [M L/T^2] mean normal force of those contacts
-  double bin_width = 0.0;       ///< of f, the normal force over its mean
+  double mean = 0.0;            ///< [M L/T^2] mean normal force of these contacts
+  double bin_width = 0.0;       ///< of f, the normal force divided by its mean
   std::vector<double> f;        ///< centres of the bins
   std::vector<double> density;  ///< P(f); its integral over all bins is 1
   std::vector<double> error;    ///< of the density, from the square root of the count
 
   std::vector<double> direction_deg;     ///< centres of bins of 10 degrees in [0, 180), from the horizontal
-  std::vector<double> direction_all;     ///< [1/deg] probability density of all those contacts
-  std::vector<double> direction_strong;  ///< [1/deg] of those above the mean force; zero where there are none
+  std::vector<double> direction_all;     ///< [1/deg] probability density over all these contacts
+  std::vector<double> direction_strong;  ///< [1/deg] over those above the mean force; zero if there are none
 
-  double sliding_fraction = 0.0;  ///< share at the Coulomb limit
-  double strong_fraction = 0.0;   ///< share above the mean force
+  double sliding_fraction = 0.0;  ///< fraction of the contacts that are at the Coulomb limit
+  double strong_fraction = 0.0;   ///< fraction of the contacts above the mean force
 };
 
-/// None without a contact above `threshold` [M L/T^2]; forces that are not finite do not count. Bins of f are 0.1 wide,
-/// wider where the largest force would need more than 1000 of them.
+/// Measures the distributions over contacts with a finite normal force above `threshold` [M L/T^2]; none without such a
+/// contact. Bins of f are 0.1 wide, or wider if the largest force would need more than 1000 of them.
 std::optional<ForceStatistics> measure_force_statistics(const Contacts<2>& contacts, double threshold);
 
 }  // namespace repose

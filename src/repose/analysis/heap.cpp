@@ -16,7 +16,8 @@ constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr double lowest_used = 0.1;
 constexpr double highest_used = 0.9;
 
-/// Line through the used bins of surface[first..last); `outward` is -1 on the left flank, +1 on the right.
+/// Least-squares line through the used bins of surface[first..last); `outward` is -1 on the left flank, +1 on the
+/// right.
 std::optional<FlankLine> fit(const std::vector<SurfaceBin>& surface, std::size_t first, std::size_t last,
                              double outward) {
   double n = 0.0;
@@ -91,7 +92,7 @@ std::vector<bool> supported(const Grains<D>& grains, const Contacts<D>& contacts
   }
   for (std::size_t k = 0; k < grains.size(); ++k) {
     const auto& grain = grains.line[k];
-    // The last state of a run that failed may hold grains whose place is not a number.
+    // The last state of a failed run may hold grains whose position is not a number.
     if (grain.fixed() || !std::isfinite(magnitude(grain.position))) touching[k] = false;
   }
   return touching;
@@ -123,9 +124,9 @@ HeapShape measure_heap(const Grains<D>& grains, const std::vector<bool>& in_heap
   std::size_t apex_place = 0;
   for (auto bin = first; bin != last; ++bin) {
     if (bin == apex) apex_place = shape.surface.size();
-    const double share = bin->second / shape.apex_height;
+    const double relative = bin->second / shape.apex_height;
     shape.surface.push_back({(static_cast<double>(bin->first) + 0.5) * bin_width, bin->second,
-                             bin != apex && share >= lowest_used && share <= highest_used});
+                             bin != apex && relative >= lowest_used && relative <= highest_used});
   }
   shape.left = fit(shape.surface, 0, apex_place, -1.0);
   shape.right = fit(shape.surface, apex_place + 1, shape.surface.size(), 1.0);

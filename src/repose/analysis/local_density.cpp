@@ -15,11 +15,12 @@ namespace {
 constexpr double first_cut_off = 1.5;   // [largest diameters]
 constexpr double second_cut_off = 6.0;  // [largest diameters] for cells beside large voids
 
-/// All discs that can bound a cell of the slab, as grains that do not move, so that they bound whether or not they have
-/// a cell themselves; ids are places in `discs`.
+/// All discs that can bound a cell of the slab, as fixed grains, because fixed grains bound cells whether or not they
+/// have a cell themselves. Their ids are indices in `discs`.
 Grains<2> surroundings(const Discs& discs, const Slab& slab) {
   const double largest = *std::max_element(discs.radius.begin(), discs.radius.end());
-  const double margin = 2.0 * second_cut_off * 2.0 * largest * 1.1;  // a radical line lies half way, corners farther
+  // A radical line lies half way between two discs; corners of the cut-off lie a little farther out.
+  const double margin = 2.0 * second_cut_off * 2.0 * largest * 1.1;
   Grains<2> grains;
   for (std::size_t k = 0; k < discs.size(); ++k) {
     const double y = discs.position[k][1];
@@ -42,18 +43,18 @@ LocalDensity local_density(const Discs& discs, const Slab& slab, std::size_t bin
     const auto disc = static_cast<std::size_t>(grains.id[k]);
     wanted[k] = !discs.base[disc] && slab.holds(discs.position[disc]);
   }
-  std::vector<Edge> edges;
+  std::vector<FlatWall> walls;
   if (!slab.box.periodic) {
-    edges.push_back({{{slab.box.x_min, 0.0}}, {{1.0, 0.0}}});
-    edges.push_back({{{slab.box.x_max, 0.0}}, {{-1.0, 0.0}}});
+    walls.push_back({{{slab.box.x_min, 0.0}}, {{1.0, 0.0}}});
+    walls.push_back({{{slab.box.x_max, 0.0}}, {{-1.0, 0.0}}});
   }
 
   std::vector<double> densities;
   double disc_area = 0.0;
   double cell_area = 0.0;
   for (const double cut_off : {first_cut_off, second_cut_off}) {
-    // Cells come by ascending id, as the grains do.
-    const auto cells = voronoi(grains, wanted, edges, slab.box, cut_off);
+    // The cells are ordered by ascending id, as the grains are.
+    const auto cells = voronoi(grains, wanted, walls, slab.box, cut_off);
     std::size_t k = 0;
     for (const auto& cell : cells) {
       while (grains.id[k] != cell.id) ++k;

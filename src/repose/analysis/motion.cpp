@@ -36,7 +36,7 @@ HeapShape shape_of(const TrackMoment& moment, const MotionSettings& settings) {
   return measure_heap(grains, in_heap, settings.base_height, settings.bin_width);
 }
 
-/// Depth of a layer: the value of rank ceil(0.9 n); NaN without moves.
+/// The depth of a layer: the move of rank ceil(0.9 n) by depth; NaN without moves.
 double layer_depth(const std::vector<Move>& moves) {
   if (moves.empty()) return none;
   std::vector<double> depths;
@@ -46,7 +46,7 @@ double layer_depth(const std::vector<Move>& moves) {
   return depths[static_cast<std::size_t>(rank)];
 }
 
-/// The row of one interval; fills in which grains moved.
+/// The row of one interval. Adds the grains that moved to `moves`.
 MotionRow compare(const TrackMoment& before, const TrackMoment& after, const HeapShape& shape, const Box<2>& box,
                   const MotionSettings& settings, std::vector<Move>& moves) {
   MotionRow row;
@@ -93,9 +93,9 @@ Avalanche avalanche_of(const std::vector<MotionRow>& rows, const std::vector<std
   return avalanche;
 }
 
-/// Calls `each` with the first and one past the last of every maximal run of rows that belong together.
+/// Calls each(first, end) for every maximal sequence of consecutive rows for which `belongs` is true.
 template <class Belongs, class Each>
-void for_each_run(const std::vector<MotionRow>& rows, const Belongs& belongs, const Each& each) {
+void for_each_sequence(const std::vector<MotionRow>& rows, const Belongs& belongs, const Each& each) {
   for (std::size_t first = 0; first < rows.size();) {
     auto last = first;
     while (last < rows.size() && belongs(rows[last])) ++last;
@@ -124,12 +124,12 @@ Motion measure_motion(const Track& track, const Box<2>& box, const MotionSetting
     row.angle_right_deg = shape.right ? shape.right->angle_deg : none;
     motion.rows.push_back(row);
   }
-  for_each_run(
+  for_each_sequence(
       motion.rows, [&](const MotionRow& row) { return row.moved >= settings.least; },
       [&](std::size_t first, std::size_t last) {
         add(motion.avalanches, avalanche_of(motion.rows, moves, first, last));
       });
-  for_each_run(
+  for_each_sequence(
       motion.rows, [&](const MotionRow& row) { return row.kinetic_energy > settings.burst; },
       [&](std::size_t first, std::size_t last) {
         Burst burst;

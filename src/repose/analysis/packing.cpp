@@ -11,7 +11,7 @@ namespace repose {
 
 namespace {
 
-PackingSurface read_surface(const Discs& discs, const Box<2>& box, double column) {
+PackingSurface measure_surface(const Discs& discs, const Box<2>& box, double column) {
   PackingSurface surface;
   surface.profile = surface_profile(discs, box, column);
   surface.roughness = roughness(surface.profile);
@@ -20,7 +20,7 @@ PackingSurface read_surface(const Discs& discs, const Box<2>& box, double column
   return surface;
 }
 
-IsotropicStructureFactor read_structure(const Discs& discs, const Slab& slab, StructureFactorOptions options) {
+IsotropicStructureFactor measure_structure(const Discs& discs, const Slab& slab, StructureFactorOptions options) {
   if (!(options.largest > 0.0)) options.largest = 4.0 * std::numbers::pi / mean_diameter(discs);
   std::vector<Vec<2>> centres;
   for (const auto k : centres_in(discs, slab)) centres.push_back(discs.position[k]);
@@ -45,16 +45,16 @@ PackingResult analyse_packing(const Discs& discs, const Box<2>& box, const Packi
   packing.discs = deposited_count(discs);
   packing.solid_fraction = solid_fraction(discs, slab, options.blocks);
   auto graph = contact_graph(discs, box, options.gap);
-  const auto on_planes = plane_contacts(discs, options.planes, options.gap);
-  const auto loose = rattlers(discs, graph, on_planes);
+  const auto on_walls = wall_contacts(discs, options.walls, options.gap);
+  const auto loose = rattlers(discs, graph, on_walls);
   packing.contacts = graph.contacts();
-  packing.coordination = read_coordination(discs, graph, on_planes, loose, slab, options.blocks);
-  packing.fabric = read_fabric(discs, graph, slab, options.directions, options.blocks);
+  packing.coordination = measure_coordination(discs, graph, on_walls, loose, slab, options.blocks);
+  packing.fabric = measure_fabric(discs, graph, slab, options.directions, options.blocks);
   packing.regime = regime_of(packing.solid_fraction.mean);
   packing.regime_by_structure = regime_of(packing.coordination.connectivity, packing.coordination.mean.mean);
-  if (options.surface) packing.surface = read_surface(discs, box, options.column * mean_diameter(discs));
+  if (options.surface) packing.surface = measure_surface(discs, box, options.column * mean_diameter(discs));
   if (options.correlations) packing.pair_correlation = pair_correlation(discs, slab, options.pair_correlation);
-  if (options.structure) packing.structure_factor = read_structure(discs, slab, options.structure_factor);
+  if (options.structure) packing.structure_factor = measure_structure(discs, slab, options.structure_factor);
   if (options.local_density) packing.local_density = local_density(discs, slab, options.density_bins);
   return {std::move(packing), {}, std::move(graph)};
 }

@@ -19,14 +19,14 @@ enum class PackingRegime {
 /// For reports: "loose random" and so on.
 std::string_view name_of(PackingRegime regime);
 
-/// The regime by solid fraction, the paper's own variable. It calls its boundaries 0.6, 0.7 and 0.8 approximate and
-/// does not say to which side they belong; here to the denser. They are for equal discs deposited at random in 2D.
-/// None if the solid fraction is not a number.
+/// The regime by solid fraction, the paper's own variable. The paper calls its boundaries 0.6, 0.7 and 0.8 approximate
+/// and does not state to which side they belong; here they belong to the denser. They hold for equal discs deposited at
+/// random in 2D. None if the solid fraction is NaN.
 std::optional<PackingRegime> regime_of(double solid_fraction);
 
-/// The regime by structure, after the same section's marks: z > 4 is dense ordered, else the most frequent number of
-/// contacts decides (1 or 2: loose random, 3: moderate random, 4 and more: dense close). An independent reading that
-/// need not agree near the boundaries. Of equal shares the smaller number counts. None without contacts.
+/// The regime by structure, after the same section: z > 4 is dense ordered; otherwise the most frequent number of
+/// contacts decides (1 or 2: loose random, 3: moderate random, 4 and more: dense close; the smaller number in a tie).
+/// It is independent of the solid fraction and need not agree with it near the boundaries. None without contacts.
 std::optional<PackingRegime> regime_of(const std::array<double, 7>& connectivity, double coordination);
 
 }  // namespace repose

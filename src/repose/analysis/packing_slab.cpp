@@ -13,7 +13,7 @@ SlabResult find_slab(const Discs& discs, const Box<2>& box, const SlabOptions& o
     return {{}, fmt::format("the slab from {} to {} mean heights is empty", options.low, options.high)};
   }
   if (!std::isfinite(box.width()) || !(box.width() > 0.0)) {
-    return {{}, "the packing has no sides: it needs a periodic box or side walls"};
+    return {{}, "the packing is unbounded in x: it needs a periodic box or side walls"};
   }
   double base_sum = 0.0;
   double deposited_sum = 0.0;
@@ -22,14 +22,14 @@ SlabResult find_slab(const Discs& discs, const Box<2>& box, const SlabOptions& o
     const auto& centre = discs.position[k];
     if (!std::isfinite(centre[0]) || !std::isfinite(centre[1]) || !std::isfinite(discs.radius[k]) ||
         !(discs.radius[k] > 0.0)) {
-      return {{}, fmt::format("disc {} has no place or no radius", k)};
+      return {{}, fmt::format("disc {} has no finite position or no positive radius", k)};
     }
     (discs.base[k] ? base_sum : deposited_sum) += centre[1];
     deposited += discs.base[k] ? 0.0 : 1.0;
   }
   if (deposited == 0.0) return {{}, "nothing was deposited"};
   const double base = static_cast<double>(discs.size()) - deposited;
-  if (!options.base_height && base == 0.0) return {{}, "there is no base disc: the height of the base must be given"};
+  if (!options.base_height && base == 0.0) return {{}, "without base discs the height of the base must be given"};
 
   Slab slab;
   slab.box = box;

@@ -16,14 +16,14 @@
 
 namespace repose {
 
-/// The part of a packing that is measured, away from base and surface: low <= y < high and, in a box that is not
-/// periodic, x_min <= x < x_max.
+/// The measured part of a packing, away from base and surface: low <= y < high and, in a box that is not periodic,
+/// x_min <= x < x_max.
 struct Slab {
   double low = 0.0;          ///< [L]
   double high = 0.0;         ///< [L]
   double base_height = 0.0;  ///< [L] y of the base centres
   double mean_height = 0.0;  ///< [L] ybar, mean height of the deposited centres above the base centres
-  Box<2> box;                ///< its sides: where x wraps, or side walls
+  Box<2> box;                ///< its sides are side walls, or x wraps there
 
   double height() const { return high - low; }
   double area() const { return box.width() * height(); }
@@ -33,10 +33,10 @@ struct Slab {
 };
 
 struct SlabOptions {
-  double low = 0.4;   ///< lower edge above the base centres, over ybar
-  double high = 1.4;  ///< upper edge above the base centres, over ybar
-  /// [L] y of the base centres; by default the mean over the base discs. On a flat floor there are none: give the
-  /// height at which the centre of a disc lies that rests on it, floor + radius.
+  double low = 0.4;   ///< height of the lower edge above the base centres, divided by ybar
+  double high = 1.4;  ///< height of the upper edge above the base centres, divided by ybar
+  /// [L] y of the base centres; by default the mean over the base discs. A flat floor has none: give floor + radius,
+  /// the height of the centre of a disc that rests on it.
   std::optional<double> base_height;
 };
 
@@ -46,22 +46,24 @@ struct SlabResult {
   std::string problem;
 };
 
-/// The slab [low ybar, high ybar] above the base centres; there is none if nothing was deposited, if a disc is nowhere
-/// or has no size, if the sides are at infinity or if no deposited centre lies in it. Source: physics notes on paper
-/// one (Bratberg, Radjai, Hansen, PRE 66, 031303, 2002), which does not state its own region.
+/// The slab [low ybar, high ybar] above the base centres. There is none if nothing was deposited, a disc has no finite
+/// position or no positive radius, the box is infinitely wide, or no deposited centre lies in the slab. The limits are
+/// a choice of Repose (docs/physics/deposition.md): paper one (Bratberg, Radjai, Hansen, PRE 66, 031303, 2002)
+/// does not state its own.
 SlabResult find_slab(const Discs& discs, const Box<2>& box, const SlabOptions& options = {});
 
-/// Places of the deposited discs with their centre in the slab, ascending.
+/// Indices of the deposited discs with their centre in the slab, ascending.
 std::vector<std::uint32_t> centres_in(const Discs& discs, const Slab& slab);
 
-/// Number of the block that holds x [L] when the slab is cut along x into `count` blocks of equal width.
+/// Index of the block that contains x [L], if the slab is cut along x into `count` blocks of equal width.
 inline std::size_t block_of(const Slab& slab, double x, std::size_t count) {
   const double place = (x - slab.box.x_min) / slab.box.width() * static_cast<double>(count);
   return std::min(count - 1, static_cast<std::size_t>(std::max(0.0, place)));
 }
 
-/// A statistic of sums over the blocks of a slab and its standard error by the jackknife over blocks. Blocks share the
-/// structures that cross their edges, so the error of a single packing is a guide; an ensemble decides.
+/// A statistic of sums over the blocks of a slab, and its standard error by the jackknife over blocks. Structures that
+/// cross the edges correlate the blocks, so the error of a single packing is only a guide; use an ensemble for
+/// verdicts.
 template <std::size_t N, class Statistic>
 Estimate over_blocks(const std::vector<std::array<double, N>>& blocks, const Statistic& statistic) {
   return jackknife(blocks.size(), [&](std::size_t without) {

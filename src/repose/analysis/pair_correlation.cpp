@@ -26,7 +26,7 @@ struct Bins {
   }
 };
 
-/// Fills in values from the pairs and from how many are expected without correlation.
+/// Sets the values from the numbers of pairs and the numbers expected without correlation.
 void finish(Correlation& correlation, const Bins& bins, const std::vector<double>& expected) {
   for (std::size_t k = 0; k < bins.count; ++k) {
     const auto pairs = static_cast<double>(correlation.pairs[k]);
@@ -38,7 +38,7 @@ void finish(Correlation& correlation, const Bins& bins, const std::vector<double
   }
 }
 
-/// Sum over the points of the area of each ring about them that lies in the slab.
+/// For each bin, the sum over all points of the area within the slab of the ring about the point.
 std::vector<double> ring_areas(const std::vector<Vec<2>>& points, const Slab& slab, const Bins& bins) {
   std::vector<double> areas(bins.count, 0.0);
   for (const auto& point : points) {
@@ -58,7 +58,7 @@ std::vector<double> ring_areas(const std::vector<Vec<2>>& points, const Slab& sl
 }
 
 /// Integral of (length - d) over d in [from, to], d < length.
-double left_over(double length, double from, double to) {
+double overlap_integral(double length, double from, double to) {
   from = std::min(from, length);
   to = std::min(to, length);
   return (to - from) * (length - 0.5 * (from + to));
@@ -99,13 +99,13 @@ PairCorrelation pair_correlation(const Discs& discs, const Slab& slab, const Pai
   const auto count = static_cast<double>(points.size());
   auto radial = ring_areas(points, slab, bins);
   for (auto& pairs : radial) pairs *= 0.5 * (count - 1.0) / slab.area();
-  // Pairs of N uniform points with separation in a rectangle |dx|, |dy|: N (N-1)/2 times the integral over both signs
-  // of the share of the slab that stays in it.
+  // The expected number of pairs of N uniform points with a separation in a rectangle of |dx|, |dy| is N (N-1)/2 times
+  // the integral, over both signs, of the fraction of the slab that stays in it when shifted by (dx, dy).
   const double scale = 0.5 * count * (count - 1.0) / (slab.area() * slab.area());
   const auto integral_x = [&](double from, double to) {
-    return 2.0 * (periodic ? width * (to - from) : left_over(width, from, to));
+    return 2.0 * (periodic ? width * (to - from) : overlap_integral(width, from, to));
   };
-  const auto integral_y = [&](double from, double to) { return 2.0 * left_over(slab.height(), from, to); };
+  const auto integral_y = [&](double from, double to) { return 2.0 * overlap_integral(slab.height(), from, to); };
   std::vector<double> along_x;
   std::vector<double> along_y;
   for (std::size_t k = 0; k < bins.count; ++k) {

@@ -11,20 +11,20 @@ namespace repose {
 
 namespace {
 
-/// Directions from supports to a disc, as far as they bear on whether it rests.
+/// The supports of a disc: the extreme directions from supports to the disc, which decide whether it rests.
 class Supports {
  public:
   explicit Supports(double least_upright) : least_upright_(least_upright) {}
 
   void add(double x, double y) {
     sticks_ = sticks_ || y > least_upright_;
-    // Of the contacts on either side the most upright one carries best: y per x.
+    // On either side the contact nearest to the vertical, with the largest y per x, carries most.
     if (x > 0.0) from_left_ = std::max(from_left_, y / x);
     if (x < 0.0) from_right_ = std::max(from_right_, -y / x);
     upright_ = upright_ || x == 0.0;
   }
 
-  /// Two pushes whose horizontal parts cancel carry weight if what is left points up.
+  /// Two forces whose horizontal components cancel carry weight if their sum points up.
   bool rest() const { return sticks_ || upright_ || from_left_ + from_right_ > -1e-6; }
 
  private:
@@ -38,7 +38,7 @@ class Supports {
 }  // namespace
 
 std::vector<std::uint8_t> breaks_sticking_rule(const Discs& discs, const Box<2>& box, const ContactGraph& graph,
-                                               const Planes& planes, double gap, double critical_angle_deg,
+                                               const PackingWalls& walls, double gap, double critical_angle_deg,
                                                double slack_deg) {
   const double degree = std::numbers::pi / 180.0;
   const double least_upright = std::cos(std::min(90.0, critical_angle_deg + slack_deg) * degree);
@@ -47,17 +47,17 @@ std::vector<std::uint8_t> breaks_sticking_rule(const Discs& discs, const Box<2>&
     if (discs.base[k]) continue;
     const auto& place = discs.position[k];
     const double touching = discs.radius[k] * (1.0 + 2.0 * gap);
-    if (planes.floor && place[1] - *planes.floor < touching) continue;
+    if (walls.floor && place[1] - *walls.floor < touching) continue;
     Supports supports(least_upright);
     for (const auto j : graph.of(k)) {
-      if (j > k) break;  // came later; neighbours ascend
+      if (j > k) break;  // deposited later; neighbours ascend
       const auto d = separation(place, discs.position[j], box);
       const double distance = magnitude(d);
       supports.add(d[0] / distance, d[1] / distance);
     }
-    // A wall pushes level: it carries beside whatever lies below on the other side.
-    if (planes.left && place[0] - *planes.left < touching) supports.add(1.0, 0.0);
-    if (planes.right && *planes.right - place[0] < touching) supports.add(-1.0, 0.0);
+    // A side wall pushes horizontally: it supports together with any contact from below on the other side.
+    if (walls.left && place[0] - *walls.left < touching) supports.add(1.0, 0.0);
+    if (walls.right && *walls.right - place[0] < touching) supports.add(-1.0, 0.0);
     breaks[k] = supports.rest() ? 0 : 1;
   }
   return breaks;

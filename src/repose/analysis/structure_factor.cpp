@@ -22,7 +22,7 @@ double weight(const Vec<2>& point, const Slab& slab, Window window) {
   return slab.box.periodic ? across : across * hann((point[0] - slab.box.x_min) / slab.box.width());
 }
 
-/// Sums of w exp(-i q . r) over all points, for q = (k, m) unit, m = -most..most: one row per k.
+/// Sums of w exp(-i q . r) over all points, for q = (k, m) unit with m = -most..most. One row per k.
 class Waves {
  public:
   Waves(const Vec<2>& unit, int most_k, int most_m) : unit_(unit), most_m_(most_m) {
@@ -33,7 +33,7 @@ class Waves {
     up_imaginary_.resize(row_);
   }
 
-  /// `reach[k]` is the largest |m| that is wanted in row k.
+  /// `reach[k]` is the largest |m| needed in row k.
   void add(const Vec<2>& point, double w, const std::vector<int>& reach) {
     const auto step = std::polar(1.0, -unit_[0] * point[0]);
     const auto step_up = std::polar(1.0, -unit_[1] * point[1]);
@@ -76,8 +76,8 @@ class Waves {
   std::vector<double> up_real_, up_imaginary_;
 };
 
-/// Correlation of the amplitudes of independent points at wave vectors some grid steps apart along an axis: the Fourier
-/// components of the squared window.
+/// Correlation of the amplitudes of independent points at wave vectors that are `steps` grid steps apart along an axis:
+/// the Fourier components of the squared window.
 double amplitude_correlation(int steps, bool hann) {
   if (steps == 0) return 1.0;
   if (!hann || std::abs(steps) > 2) return 0.0;
@@ -134,8 +134,8 @@ IsotropicStructureFactor isotropic_structure_factor(const std::vector<Vec<2>>& p
 
   const bool smeared_y = options.window == Window::hann;
   const bool smeared_x = smeared_y && !slab.box.periodic;
-  // Shell of a wave vector, -1 for none. A Hann window has three Fourier components, 0 and +-1: the mean density shows
-  // there and nowhere else.
+  // The shell of a wave vector, -1 for none. A Hann window has three Fourier components, 0 and +-1, so the mean density
+  // contributes at these wave vectors only.
   const auto shell_of = [&](int k, int m) {
     if (std::abs(k) > most_k || std::abs(m) > reach[static_cast<std::size_t>(std::abs(k))]) return -1;
     if (std::abs(k) * stride <= (smeared_x ? 1 : 0) && std::abs(m) * stride <= (smeared_y ? 1 : 0)) return -1;
@@ -143,8 +143,8 @@ IsotropicStructureFactor isotropic_structure_factor(const std::vector<Vec<2>>& p
     const auto shells = static_cast<int>(options.shells);
     return std::min(shells - 1, static_cast<int>(place * shells));
   };
-  // Sum over the neighbours of a wave vector in its own shell of the correlation of their S, itself included: by that
-  // much the variance of the shell's mean exceeds that of independent values.
+  // The sum of the correlations of S between a wave vector and those in its shell, itself included: the factor by which
+  // the variance of the shell's mean exceeds that of independent values.
   const auto dependence = [&](int k, int m, int shell) {
     const int wide = smeared_x ? 2 / stride : 0;
     const int high = smeared_y ? 2 / stride : 0;

@@ -14,9 +14,9 @@ namespace repose {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t parts = 8;         // of the jackknife
-constexpr double hardly_in = 1e-9;       // [columns] a disc that reaches in by less is not seen
-constexpr std::size_t least_points = 3;  // for an exponent with an error
+constexpr std::size_t parts = 8;         // parts of the profile for the jackknife
+constexpr double hardly_in = 1e-9;       // [columns] a disc that reaches into a column by less does not count there
+constexpr std::size_t least_points = 3;  // points that an exponent needs
 
 SurfaceProfile empty_profile(const Box<2>& box, double column) {
   SurfaceProfile profile;
@@ -44,7 +44,7 @@ void cover(SurfaceProfile& profile, const Vec<2>& centre, double radius) {
   }
 }
 
-/// Slope of a straight line through the logarithms; NaN without two different points.
+/// The slope of the least-squares line through the logarithms; NaN without two different x.
 double log_slope(const std::vector<double>& x, const std::vector<double>& y) {
   const auto n = static_cast<double>(x.size());
   double mean_x = 0.0;
@@ -62,7 +62,7 @@ double log_slope(const std::vector<double>& x, const std::vector<double>& y) {
   return xx > 0.0 ? xy / xx : none;
 }
 
-/// An exponent needs enough widths above zero.
+/// The exponent and its jackknife error; none with fewer than three points or a width of zero.
 std::optional<Estimate> exponent_of(const std::vector<double>& x, const std::vector<double>& width,
                                     const std::function<double(std::size_t without)>& slope) {
   const bool rough = std::all_of(width.begin(), width.end(), [](double w) { return w > 0.0; });
@@ -72,7 +72,7 @@ std::optional<Estimate> exponent_of(const std::vector<double>& x, const std::vec
 
 std::size_t part_of(std::size_t k, std::size_t count) { return k * parts / count; }
 
-/// Sums of heights, from a reference, over parts of the profile.
+/// Sums over columns of the height above a reference, and of its square.
 struct Moments {
   double count = 0.0;
   double sum = 0.0;
@@ -90,7 +90,7 @@ struct Moments {
   }
 };
 
-/// Mean of the heights that are there; a reference that keeps the squares small.
+/// The mean height of the columns that hold a disc: a reference that keeps the squares small.
 double mean_height(const std::vector<double>& height) { return mean_of(height).mean; }
 
 std::array<Moments, parts> moments_by_part(const std::vector<double>& height, double reference) {
@@ -127,7 +127,7 @@ RoughnessScaling roughness_scaling(const SurfaceProfile& profile, const std::vec
   RoughnessScaling result;
   const auto columns = profile.height.size();
   const double reference = mean_height(profile.height);
-  // Running sums over twice the profile, so that windows can go round.
+  // Running sums over twice the profile, so that windows can wrap.
   std::vector<Moments> running(2 * columns + 1);
   for (std::size_t k = 0; k < 2 * columns; ++k) {
     const double height = profile.height[k % columns];
@@ -136,7 +136,7 @@ RoughnessScaling roughness_scaling(const SurfaceProfile& profile, const std::vec
     const double h = height - reference;
     running[k + 1] += {1.0, h, h * h};
   }
-  std::vector<std::array<Moments, parts>> variances;  // of each window length: number and sum of variances
+  std::vector<std::array<Moments, parts>> variances;  // for each window length: number and sum of variances
   for (const auto length : windows) {
     if (length < 2 || length > columns) continue;
     std::array<Moments, parts> by_part{};

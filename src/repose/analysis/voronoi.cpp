@@ -20,22 +20,22 @@ namespace {
 
 constexpr int cut_off_sides = 32;
 
-// What a face of a cell comes from. voro++ numbers the faces of the prism that a cell starts as from -1 to -6: left,
-// right, lower, upper side and the two ends.
+// The origin of a face of a cell. A cell starts as a prism, whose faces voro++ numbers from -1 to -6: left, right,
+// lower and upper side, and the two ends.
 constexpr int last_starting_side = -4;
 constexpr int end_of_prism = -6;
 constexpr int cut_off_side = -7;
-constexpr int edge_side = -8;
+constexpr int wall_side = -8;
 constexpr int neighbour_side = 1;
 
 bool at_cut_off(int face) { return (face < 0 && face >= last_starting_side) || face == cut_off_side; }
 
-/// The grains that have or bound cells, by ascending id, and a grid to find them by place.
+/// The grains that have or bound cells, by ascending id.
 struct Sites {
-  std::vector<std::uint32_t> grain;  // place in memory
-  std::vector<Vec<2>> position;      // wrapped
-  double largest = 0.0;              // radius
-  double largest_with_cell = 0.0;    // radius
+  std::vector<std::uint32_t> grain;  // index in memory
+  std::vector<Vec<2>> position;      // [L] wrapped
+  double largest = 0.0;              // [L] largest radius
+  double largest_with_cell = 0.0;    // [L] largest radius of a grain with a cell
 };
 
 Sites find_sites(const Grains<2>& grains, const std::vector<bool>& in_heap, const Box<2>& box) {
@@ -51,14 +51,14 @@ Sites find_sites(const Grains<2>& grains, const std::vector<bool>& in_heap, cons
   return sites;
 }
 
-/// A neighbour seen from the centre of a cell; [L] in units of the largest diameter.
+/// A neighbour relative to the centre of a cell. Lengths are in units of the largest diameter.
 struct Neighbour {
   Vec<2> offset{};
   double distance_squared = 0.0;
   double plane = 0.0;  // twice the distance of the radical line, times the distance of the neighbour
 };
 
-/// Neighbours of one site that can cut its cell, nearest first.
+/// Finds the neighbours of a site that can cut its cell, nearest first.
 class Surroundings {
  public:
   Surroundings(const Grains<2>& grains, const Sites& sites, const Box<2>& box, double unit, double cut_off)
@@ -71,8 +71,8 @@ class Surroundings {
 
   const std::vector<Neighbour>& of(std::size_t site) {
     near_.clear();
-    // The radical line of a neighbour at distance d lies (d^2 + r_i^2 - r_j^2) / (2 d) away: beyond the corners of the
-    // cut-off if d exceeds this reach.
+    // The radical line of a neighbour at distance d lies (d^2 + r_i^2 - r_j^2) / (2 d) away. If d exceeds this reach,
+    // it lies beyond the corners of the cut-off.
     const double corner = cut_off_ * unit_ / std::cos(std::numbers::pi / cut_off_sides);
     const double radius = grains_.line[sites_.grain[site]].radius;
     const double reach = corner + std::sqrt(squared(corner) + squared(sites_.largest) - squared(radius));
@@ -123,7 +123,7 @@ class Surroundings {
   std::vector<Neighbour> near_;
 };
 
-/// Polygon of one cell, about the origin and in units of the largest diameter: the end of a prism that voro++ cuts.
+/// The polygon of one cell, about the origin and in units of the largest diameter: the end of a prism that voro++ cuts.
 class Polygon {
  public:
   explicit Polygon(double cut_off) : cut_off_(cut_off) {
@@ -141,7 +141,7 @@ class Polygon {
   void keep_below(const Vec<2>& towards, double limit, int face) {
     if (!empty_) empty_ = !prism_.nplane(towards[0], towards[1], 0.0, limit, face);
   }
-  /// Cuts off what lies too far from the centre; last, because few cells reach so far.
+  /// Cuts the cell off at the cut-off polygon. Call this last: few cells reach so far.
   void cut_off_corners() {
     if (empty_) return;
     prism_.vertices(places_);
@@ -150,23 +150,23 @@ class Polygon {
       farthest = std::max(farthest, squared(Vec<2>{{places_[k], places_[k + 1]}}));
     if (farthest <= squared(cut_off_)) return;
     for (int side = 0; side < cut_off_sides; ++side) {
-      if (side % (cut_off_sides / 4) == 0) continue;  // these four the prism started with
+      if (side % (cut_off_sides / 4) == 0) continue;  // the prism started with these four
       keep_below(normals_[static_cast<std::size_t>(side)], 2.0 * cut_off_, cut_off_side);
     }
   }
 
-  /// Vertices, area and `closed` of the cell of a grain at `centre`.
-  void read(VoronoiCell& cell, const Vec<2>& centre, double unit) {
+  /// Sets the vertices, the area and `closed` of the cell of a grain at `centre`.
+  void store(VoronoiCell& cell, const Vec<2>& centre, double unit) {
     cell.closed = true;
     if (empty_) return;
     prism_.vertices(places_);
     prism_.neighbors(faces_);
-    prism_.face_vertices(corners_);  // for each face their number, then the vertices in turn
+    prism_.face_vertices(corners_);  // for each face, the number of its vertices, then the vertices in order
     std::size_t at = 0;
     for (const int face : faces_) {
       const auto count = static_cast<std::size_t>(corners_[at]);
       if (at_cut_off(face)) cell.closed = false;
-      if (face == end_of_prism) read_outline(cell, at + 1, count);
+      if (face == end_of_prism) store_outline(cell, at + 1, count);
       at += count + 1;
     }
     cell.area *= squared(unit);
@@ -174,7 +174,7 @@ class Polygon {
   }
 
  private:
-  void read_outline(VoronoiCell& cell, std::size_t first, std::size_t count) {
+  void store_outline(VoronoiCell& cell, std::size_t first, std::size_t count) {
     for (std::size_t k = first; k < first + count; ++k) {
       const auto place = 3 * static_cast<std::size_t>(corners_[k]);
       cell.vertices.push_back({{places_[place], places_[place + 1]}});
@@ -201,7 +201,7 @@ class Polygon {
 }  // namespace
 
 std::vector<VoronoiCell> voronoi(const Grains<2>& grains, const std::vector<bool>& in_heap,
-                                 const std::vector<Edge>& edges, const Box<2>& box, double cut_off) {
+                                 const std::vector<FlatWall>& walls, const Box<2>& box, double cut_off) {
   REPOSE_ASSERT(in_heap.size() == grains.size());
   std::vector<VoronoiCell> cells;
   const Sites sites = find_sites(grains, in_heap, box);
@@ -216,14 +216,14 @@ std::vector<VoronoiCell> voronoi(const Grains<2>& grains, const std::vector<bool
     polygon.start();
     for (const auto& neighbour : surroundings.of(site))
       polygon.keep_below(neighbour.offset, neighbour.plane, neighbour_side);
-    for (const auto& edge : edges) {
-      const double height = dot(grain.position - edge.point, edge.normal) / unit;
-      polygon.keep_below(-edge.normal, 2.0 * height, edge_side);
+    for (const auto& wall : walls) {
+      const double height = dot(grain.position - wall.point, wall.normal) / unit;
+      polygon.keep_below(-wall.normal, 2.0 * height, wall_side);
     }
     polygon.cut_off_corners();
     VoronoiCell& cell = cells.emplace_back();
     cell.id = grains.id[k];
-    polygon.read(cell, grain.position, unit);
+    polygon.store(cell, grain.position, unit);
     cell.solid_fraction = cell.area > 0.0 ? std::numbers::pi * squared(grain.radius) / cell.area
                                           : std::numeric_limits<double>::quiet_NaN();
   }

@@ -11,55 +11,56 @@
 
 namespace repose {
 
-/// What moves a wall, along one direction. Gravity does not act on walls.
+/// The prescribed or forced motion of a wall along one direction. Gravity does not act on walls.
 template <int D>
 struct WallMotion {
   enum class Kind {
     none,
-    velocity,  ///< at a given speed, whatever it meets
-    force,     ///< a piston of some mass under a given force and the push of the grains
-    spring     ///< the same, pulled by a spring whose far end goes at a given speed
+    velocity,  ///< a given speed, unaffected by the grains
+    force,     ///< a piston with a mass, driven by a given force and by the contact forces of the grains
+    spring     ///< a piston that is also pulled by a spring, whose far end moves at a given speed
   };
   Kind kind = Kind::none;
   Vec<D> direction{};      ///< unit vector
-  double speed = 0.0;      ///< [L/T] of the wall or of the far end of the spring
+  double speed = 0.0;      ///< [L/T] speed of the wall, or of the far end of the spring
   double force = 0.0;      ///< [M L/T^2]
-  double stiffness = 0.0;  ///< [M/T^2] of the spring
+  double stiffness = 0.0;  ///< [M/T^2] stiffness of the spring
   double mass = 0.0;       ///< [M]
-  double drag = 0.0;       ///< [M/T] force against the motion per speed
-  double start = 0.0;      ///< [T] before that the wall stands still
+  double drag = 0.0;       ///< [M/T] force per speed, against the motion
+  double start = 0.0;      ///< [T] time at which the motion begins; the wall stands still before it
 
-  /// Whether the push of the grains changes the motion.
+  /// Whether contact forces of the grains change the motion.
   bool feels_grains() const { return kind == Kind::force || kind == Kind::spring; }
 };
 
-/// A straight wall: infinite, with the grains on the side that its normal points to, or of finite length, and then it
-/// has two sides. It meets a grain at its rim and acts by the pair law, as a grain of the same size and mass would.
+/// A straight wall. An infinite wall has grains only on the side that its normal points to; a wall of finite length has
+/// two sides. It touches a grain at the grain's rim, and its force follows the pair law for a partner of equal size and
+/// mass.
 template <int D>
 struct Wall {
-  Vec<D> point{};   ///< [L] on the wall; the middle of a finite one
+  Vec<D> point{};   ///< [L] a point on the wall; the middle of a finite wall
   Vec<D> normal{};  ///< unit vector
-  /// Stands for a row of grain centres (Baxter et al. 1997): acts at the height of the centre, holds a grain at rest
-  /// one diameter above it, and has no friction.
+  /// A smooth wall stands for a row of grain centres (Baxter et al. 1997): it acts at the height of a grain's centre,
+  /// holds a grain at rest one diameter above itself, and has no friction.
   bool smooth = false;
-  double half_length = std::numeric_limits<double>::infinity();  ///< [L] of a segment; the radius of a disc in 3D
+  double half_length = std::numeric_limits<double>::infinity();  ///< [L] half the length in 2D; the radius in 3D
   std::uint16_t material = 0;
   WallMotion<D> motion{};
-  double opens_at = std::numeric_limits<double>::infinity();  ///< [T] from then on it is not there
+  double opens_at = std::numeric_limits<double>::infinity();  ///< [T] time from which the wall is absent
 
   bool finite() const { return half_length < std::numeric_limits<double>::infinity(); }
 };
 
-/// How far a wall has gone.
+/// The motion of a wall so far.
 struct WallState {
-  double displacement = 0.0;  ///< [L] along its direction
-  double speed = 0.0;         ///< [L/T] half a step before
-  double work = 0.0;          ///< [M L^2/T^2] done on the grains
-  double dissipated = 0.0;    ///< [M L^2/T^2] of that, against dashpots and friction
+  double displacement = 0.0;  ///< [L] along the wall's direction
+  double speed = 0.0;         ///< [L/T] speed half a step before the position
+  double work = 0.0;          ///< [M L^2/T^2] work done on the grains
+  double dissipated = 0.0;    ///< [M L^2/T^2] the part of it that dashpots and friction dissipated
 };
 
-/// Brings a wall from one step to the next by leapfrog: `kick` [T] is the time over which forces act, `push` the force
-/// of the grains on it.
+/// Advances a wall by one leapfrog step. `kick` [T] is the time over which forces act; `push` [M L/T^2] is the force of
+/// the grains on the wall.
 template <int D>
 void move_wall(const WallMotion<D>& motion, WallState& state, double time, double kick, double dt, const Vec<D>& push) {
   if (motion.kind == WallMotion<D>::Kind::none || time < motion.start) return;
@@ -73,12 +74,12 @@ void move_wall(const WallMotion<D>& motion, WallState& state, double time, doubl
   state.displacement += state.speed * dt;
 }
 
-/// A wall at one moment, as a grain meets it.
+/// The position and velocity of a wall at one time.
 template <int D>
 struct WallNow {
-  Vec<D> point{};
-  Vec<D> velocity{};
-  bool there = true;
+  Vec<D> point{};       ///< [L]
+  Vec<D> velocity{};    ///< [L/T]
+  bool present = true;  ///< false once the wall has opened
 };
 
 template <int D>
@@ -87,14 +88,14 @@ WallNow<D> wall_now(const Wall<D>& wall, const WallState& state, double time) {
           time < wall.opens_at};
 }
 
-/// Where a grain is above a wall: the shortest way from the wall to its centre.
+/// The shortest line from a wall to the centre of a grain.
 template <int D>
 struct AboveWall {
-  double height;  ///< [L]
-  Vec<D> normal;  ///< from the wall to the centre
+  double height;  ///< [L] its length; negative behind an infinite wall
+  Vec<D> normal;  ///< unit vector from the wall to the centre
 };
 
-/// `from_point` is the way from the point of the wall to the centre.
+/// The shortest line to a centre that lies at `from_point` [L] relative to the wall's point.
 template <int D>
 REPOSE_FN AboveWall<D> above(const Wall<D>& wall, const Vec<D>& from_point) {
   const double height = dot(from_point, wall.normal);

@@ -7,7 +7,7 @@
 #include "repose/record/record_file.hpp"
 #include "repose/run_folder/run_folder.hpp"
 #include "repose/scene/toml_file.hpp"
-#include "repose/sweep/sweep_folder.hpp"
+#include "repose/sweep/folder.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -33,14 +33,11 @@ int threads_for(const Scene& scene, int wanted) {
 int carry_out(Simulation& simulation, RunFolder& folder, bool quiet) {
   catch_signals();
   Progress progress(simulation.scene(), !quiet);
-  Simulation::Hooks hooks;
-  hooks.observed = [&](const Simulation& s) { progress.update(s); };
-  hooks.frame = [&](const Simulation& s) { folder.write(s, true); };
-  hooks.pause = [&](Simulation& s, bool last) { folder.pause(s, last); };
-  simulation.run(hooks, interrupted);
+  simulation.observe_every(simulation.scene().output.series, [&](const Simulation& s) { progress.update(s); });
+  folder.run(simulation, interrupted);
   progress.finish();
   std::string result;
-  folder.write(simulation, false,
+  folder.write(simulation,
                [&](const Record& record, const Results& results) { result = describe_result(record, results); });
   if (simulation.status() == Status::failed) throw RunError(simulation.message());
   const bool stopped = simulation.status() == Status::interrupted;

@@ -25,7 +25,7 @@ std::string per_degree(const Agreement& agreement) {
                      agreement.chi_square, agreement.degrees);
 }
 
-void print(const std::vector<LaidOn>& all) {
+void print(const std::vector<BaseOverlay>& all) {
   for (const auto& base : all) {
     if (!base.point.empty()) fmt::print("{}{}\n", base.point, base.problem.empty() ? "" : ": " + base.problem);
     for (const auto& comparison : base.models) {
@@ -71,7 +71,7 @@ Command add_plot(CLI::App& app) {
               if (std::ranges::find(*arguments, "--frame") != arguments->end()) {
                 throw InputError("--theory: is laid on the end of the run, not on a --frame");
               }
-              print(lay_theory_on(*folder, *theory));
+              print(overlay_theory(*folder, *theory));
             }
             arguments->insert(arguments->begin(), *folder);
             hand_over_to_python("repose.plot", *arguments);

@@ -7,45 +7,43 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace repose {
 
 namespace {
 
-/// A page of the reference that is made from the lists that the program reads and writes by.
+/// A page of docs/reference, and its text or the tables in it.
 struct Page {
   const char* name;
-  std::function<std::string()> text;
+  std::string (*text)();
+};
+constexpr Page pages[] = {
+    {"scene", scene_reference},
 };
 
-const std::vector<Page>& pages() {
-  static const std::vector<Page> all = {{"scene", scene_reference}};
-  return all;
+int act(const std::string& name) {
+  for (const auto& page : pages) {
+    if (name.empty()) fmt::print("{}\n", page.name);
+    if (name != page.name) continue;
+    fmt::print("{}", page.text());
+    return 0;
+  }
+  if (!name.empty()) throw InputError(fmt::format("{}: no such page; repose reference lists them", name));
+  return 0;
 }
 
 }  // namespace
 
 Command add_reference(CLI::App& app) {
   auto page = std::make_shared<std::string>();
-  auto* command = app.add_subcommand("reference", "Print the tables of a page of the reference, in Markdown");
-  command->add_option("PAGE", *page, "page, as in `repose reference scene`")->required();
-  return {command, [page] {
-            std::vector<std::string> names;
-            for (const auto& one : pages()) {
-              if (one.name == *page) {
-                fmt::print("{}", one.text());
-                return 0;
-              }
-              names.emplace_back(one.name);
-            }
-            throw InputError(fmt::format("{}: no such page; must be {}", *page, fmt::join(names, " | ")));
-          }};
+  auto* command = app.add_subcommand(
+      "reference",
+      "Print the tables of a reference page as Markdown, from the lists that files are read and written by");
+  command->add_option("PAGE", *page, "Name of a page (default: list the pages)");
+  return {command, [page] { return act(*page); }};
 }
 
 }  // namespace repose

@@ -5,7 +5,7 @@
 #include "repose/cli/carry_out.hpp"
 #include "repose/cli/commands.hpp"
 #include "repose/core/errors.hpp"
-#include "repose/sweep/sweep_folder.hpp"
+#include "repose/sweep/folder.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -45,7 +45,7 @@ int act(const ResumeOptions& options) {
   const auto frames =
       found.checkpoint ? damaged_frames(options.folder, found.checkpoint->frames()) : std::vector<std::string>();
   for (const auto& problem : frames) fmt::print(stderr, "repose: {}; this frame is lost\n", problem);
-  auto folder = taken_up(options.folder, found, simulation);
+  auto folder = resumed_folder(options.folder, found, simulation);
   if (!options.quiet) {
     fmt::print("resumed          at time {:.6g}, step {}{}\n", simulation.time(), simulation.steps(),
                found.checkpoint ? "" : ": there was no checkpoint yet");

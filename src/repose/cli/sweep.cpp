@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repose/sweep/sweep.hpp"
-
 #include "repose/cli/commands.hpp"
 #include "repose/cli/signals.hpp"
 #include "repose/cli/sweep_view.hpp"
 #include "repose/core/errors.hpp"
+#include "repose/sweep/members.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

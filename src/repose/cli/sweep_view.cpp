@@ -94,7 +94,7 @@ SweepView::SweepView(const SweepFolder& folder, const Sweep& sweep, bool quiet)
       sweep_(sweep),
       quiet_(quiet),
       terminal_(::isatty(STDOUT_FILENO) == 1),
-      share_at_start_(sweep.share()),
+      share_at_start_(sweep.fraction()),
       results_(folder.members().size()) {
   if (quiet_) return;
   fmt::print("{}", describe_plan(folder.plan()));
@@ -117,9 +117,9 @@ void SweepView::read_results(std::size_t member) {
 }
 
 std::string SweepView::time_left() const {
-  const double done = sweep_.share() - share_at_start_;
+  const double done = sweep_.fraction() - share_at_start_;
   if (done <= 0.0) return "-";
-  return clock_text(sweep_.wall_seconds() * (1.0 - sweep_.share()) / done);
+  return clock_text(sweep_.wall_seconds() * (1.0 - sweep_.fraction()) / done);
 }
 
 void SweepView::ended(std::size_t member) {
@@ -159,7 +159,7 @@ std::string SweepView::live_table() const {
       const auto& progress = sweep_.progress()[k];
       if (progress.stage == Stage::finished) ++finished;
       if (progress.stage == Stage::running)
-        running += fmt::format("{}{:.0f}%", running.empty() ? "" : " ", 100.0 * progress.share);
+        running += fmt::format("{}{:.0f}%", running.empty() ? "" : " ", 100.0 * progress.fraction);
       for (const auto& [name, value] : results_[k]) values[name].push_back(value);
     }
     text += fmt::format("{:{}}  {:>9}  {:>7}", plan.points[p].name, width,
@@ -170,7 +170,7 @@ std::string SweepView::live_table() const {
     text += "\n";
   }
   if (plan.points.size() > most_lines) text += fmt::format("and {} more points\n", plan.points.size() - most_lines);
-  text += fmt::format("{:.1f} %  {} finished, {} failed of {}  {} left\n", 100.0 * sweep_.share(),
+  text += fmt::format("{:.1f} %  {} finished, {} failed of {}  {} left\n", 100.0 * sweep_.fraction(),
                       sweep_.count(Stage::finished), sweep_.count(Stage::failed), results_.size(), time_left());
   return text;
 }

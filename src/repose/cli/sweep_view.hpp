@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/sweep/sweep.hpp"
+#include "repose/sweep/members.hpp"
 
 #include <chrono>
 #include <map>

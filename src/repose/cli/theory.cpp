@@ -88,7 +88,7 @@ int act(const TheoryOptions& options) {
     words.emplace_back("--set");
     words.push_back(setting);
   }
-  hand_over_to_python("repose.theory", words);
+  hand_over_to_python("repose.draw_theory", words);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace repose {
 
 namespace {
 
-constexpr double threshold = 0.1;           // of the largest force: where the loaded stretch ends, as in base_dip
+constexpr double threshold = 0.1;           // of the largest force: the loaded interval ends there, as in base_dip
 constexpr double rounding = 1e-9;           // of the half-width: the outermost loaded discs lie on its ends
 constexpr std::int64_t matched_normal = 3;  // weight, centre and width are those of the measured normal force
 
@@ -24,7 +24,7 @@ bool has_base_force(const theory::Table& table) {
   return std::ranges::all_of(columns, [&](const char* name) { return table.has_column(name); });
 }
 
-/// Straight lines through points of ascending x, and nothing beside them.
+/// Straight lines through points of ascending x; zero outside them.
 class Polyline {
  public:
   Polyline(const std::vector<double>& x, const std::vector<double>& y) : x_(x), y_(y), area_(x.size(), 0.0) {
@@ -36,7 +36,7 @@ class Polyline {
   double integral() const { return area_.back(); }
   double integral(double from, double to) const { return area_up_to(to) - area_up_to(from); }
 
-  /// Outermost places where it exceeds a height that it reaches.
+  /// The outermost places above a height that the line reaches.
   double first_above(double height) const {
     std::size_t k = 0;
     while (!(y_[k] > height)) ++k;
@@ -73,15 +73,15 @@ void check(const std::string& model, const theory::Table& table) {
     return std::ranges::all_of(table.column(name).values, [](double value) { return std::isfinite(value); });
   };
   if (x.size() < 2 || !std::ranges::all_of(columns, finite) || !std::ranges::is_sorted(x)) {
-    throw InputError(fmt::format("{}: has no base force that can be laid on a heap with these parameters", model));
+    throw InputError(fmt::format("{}: has no base force to compare with a heap at these parameters", model));
   }
   const auto& normal = table.column("normal").values;
   if (!(*std::ranges::max_element(normal) > 0.0) || !(Polyline(x, normal).integral() > 0.0)) {
-    throw InputError(fmt::format("{}: carries no weight with these parameters", model));
+    throw InputError(fmt::format("{}: carries no weight at these parameters", model));
   }
 }
 
-/// Ends of the stretches of base that belong to the discs, one more than there are discs.
+/// The ends of the parts of the base that belong to the discs, one more than the discs.
 std::vector<double> ends_of(const std::vector<double>& x) {
   std::vector<double> ends{1.5 * x[0] - 0.5 * x[1]};
   for (std::size_t k = 1; k < x.size(); ++k) ends.push_back(0.5 * (x[k - 1] + x[k]));
@@ -149,7 +149,7 @@ std::vector<theory::Setting> settings_for(const TheoryChoice& choice, const Meas
     settings.emplace_back(name, value);
     from_run.push_back(name);
   };
-  // A theory of friction puts its pile at the angle of friction where it is not told another slope.
+  // A model with an angle of friction has its pile at that angle unless it is given another slope.
   const std::string slope = wanted("angle_deg") ? "angle_deg" : "slope_deg";
   if (wanted(slope)) {
     if (!base.slope_deg) {
@@ -172,13 +172,13 @@ TheoryComparison compare(const TheoryChoice& choice, const MeasuredBase& base) {
                     choice.model, fmt::join(models_of_base_force(base), " | ")));
   }
   check(choice.model, table);
-  auto result = laid_on(table, base);
+  auto result = compare_table(table, base);
   result.model = model;
   result.from_run = from_run;
   return result;
 }
 
-TheoryComparison laid_on(const theory::Table& table, const MeasuredBase& base) {
+TheoryComparison compare_table(const theory::Table& table, const MeasuredBase& base) {
   TheoryComparison result;
   const auto& place = table.column("x_over_b").values;
   const Polyline normal(place, table.column("normal").values);
@@ -220,8 +220,7 @@ TheoryComparison laid_on(const theory::Table& table, const MeasuredBase& base) {
     sum += base.bins.normal[k];
   }
   if (residuals.x.empty()) {
-    throw InputError(
-        "the stretch of base that the heap loads is too short: no bin (analysis.base_bin) has its centre there");
+    throw InputError("the loaded interval of the base is too short: no bin (analysis.base_bin) has its centre there");
   }
   const double mean = sum / static_cast<double>(residuals.x.size());
   result.normal = agreement(residuals.normal, residuals.normal_error, mean, matched_normal);
@@ -240,7 +239,7 @@ std::vector<std::string> models_of_base_force(const MeasuredBase& base) {
     try {
       if (has_base_force(theory::predict(model_for(choice, heap, from_run)))) names.push_back(choice.model);
     } catch (const InputError&) {
-      continue;  // needs more than a heap knows
+      continue;  // needs a parameter that a heap does not give
     }
   }
   return names;

@@ -10,7 +10,7 @@
 #include "repose/record/record_file.hpp"
 #include "repose/results/summary.hpp"
 #include "repose/scene/toml_file.hpp"
-#include "repose/sweep/sweep_folder.hpp"
+#include "repose/sweep/folder.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -27,29 +27,29 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* slope_measure = "angle_of_repose_deg.mean";
 
-/// A finished run whose summary is whole and of its last state. Throws InputError.
+/// The summary of a finished run. Throws InputError unless it is whole and describes the last state.
 Json finished_summary(const std::string& folder) {
   const auto path = folder + "/summary.json";
   for (const auto* name : {"run.h5", "summary.json", "analysis.h5"}) {
     if (!is_there(std::filesystem::path(folder) / name)) {
-      throw InputError(fmt::format("{}: holds no run that was analysed, nor a sweep: no {}", folder, name));
+      throw InputError(fmt::format("{}: holds neither an analysed run nor a sweep: no {}", folder, name));
     }
   }
   const auto facts = read_run_facts(folder);
   if (facts.status == Status::failed) throw InputError(fmt::format("{}: the run failed", folder));
   if (facts.status != Status::finished) {
-    throw InputError(fmt::format("{}: the run has not finished ({}): `repose resume {}` goes on with it", folder,
+    throw InputError(fmt::format("{}: the run has not finished ({}): `repose resume {}` continues it", folder,
                                  status_text(facts.status), folder));
   }
   const auto text = text_of_file(path);
   if (!is_whole_summary(text)) {
-    throw InputError(fmt::format("{}: damaged: its content is not what was written; `repose analyse {}` writes it anew",
-                                 path, folder));
+    throw InputError(fmt::format(
+        "{}: damaged: its content differs from what Repose wrote; `repose analyse {}` writes it again", path, folder));
   }
   auto json = Json::parse(text, nullptr, false);
   if (!json.is_object() || json.value("state_hash", "") != facts.state_hash) {
-    throw InputError(
-        fmt::format("{}: is not of the last state of the run; `repose analyse {}` writes it anew", path, folder));
+    throw InputError(fmt::format("{}: does not describe the last state of the run; `repose analyse {}` writes it again",
+                                 path, folder));
   }
   return json;
 }
@@ -67,7 +67,7 @@ BinnedProfile read_bins(const Hdf5Reader& file, const std::string& group) {
   return bins;
 }
 
-/// Discs and bins must be two looks at the same base.
+/// Throws InputError unless the bins are those of the discs.
 void check(const MeasuredBase& base, const std::string& name) {
   const auto& bins = base.bins;
   const auto count = bins.x.size();
@@ -75,18 +75,18 @@ void check(const MeasuredBase& base, const std::string& name) {
                        bins.shear_error.size() == count && base.discs.normal.size() == base.discs.x.size() &&
                        base.discs.shear.size() == base.discs.x.size();
   if (!lengths || binned(base.discs, bins.bin_width).x != bins.x) {
-    throw InputError(fmt::format("{}: its bins are not those of the base profile", name));
+    throw InputError(fmt::format("{}: the bins do not match the base profile", name));
   }
 }
 
-/// What parameters a model has, as Python and JSON write them; null: none was given.
+/// The parameters of a model as JSON; null: not set.
 Json parameters_json(const theory::Model& model) {
   Json json = Json::object();
   for (const auto& parameter : theory::parameters_of(model)) {
     auto& value = json[parameter.name] = nullptr;
     if (!parameter.is_set) continue;
     const auto number = Json::parse(parameter.value, nullptr, false);
-    const bool word = parameter.unit.empty() || !number.is_number();  // infinity is one, too
+    const bool word = parameter.unit.empty() || !number.is_number();  // infinity is a word too
     value = word ? Json(parameter.value) : number;
   }
   return json;
@@ -122,7 +122,7 @@ Json comparison_json(const TheoryComparison& comparison) {
             {"shear_error", residuals.shear_error}}}};
 }
 
-Json list_json(const std::vector<LaidOn>& all) {
+Json list_json(const std::vector<BaseOverlay>& all) {
   Json list = Json::array();
   for (const auto& base : all) {
     for (const auto& comparison : base.models) {
@@ -151,9 +151,9 @@ void add_problems(const InputError& error, std::vector<std::string>& problems) {
   }
 }
 
-LaidOn all_laid_on(const MeasuredBase& base, const std::vector<TheoryChoice>& choices,
-                   std::vector<std::string>& problems) {
-  LaidOn result;
+BaseOverlay compare_models(const MeasuredBase& base, const std::vector<TheoryChoice>& choices,
+                           std::vector<std::string>& problems) {
+  BaseOverlay result;
   for (const auto& choice : choices) {
     try {
       result.models.push_back(compare(choice, base));
@@ -164,8 +164,8 @@ LaidOn all_laid_on(const MeasuredBase& base, const std::vector<TheoryChoice>& ch
   return result;
 }
 
-std::vector<LaidOn> laid_on_sweep(const std::string& folder, const std::vector<TheoryChoice>& choices,
-                                  std::vector<std::string>& problems) {
+std::vector<BaseOverlay> compare_sweep(const std::string& folder, const std::vector<TheoryChoice>& choices,
+                                       std::vector<std::string>& problems) {
   const Hdf5Reader file(folder + "/sweep.h5");
   const auto open = std::ranges::count_if(file.texts("members/status"), [](const std::string& status) {
     return status != status_text(Status::finished) && status != status_text(Status::failed);
@@ -173,30 +173,31 @@ std::vector<LaidOn> laid_on_sweep(const std::string& folder, const std::vector<T
   if (open > 0) {
     throw InputError(
         fmt::format("{0}: the sweep has not finished, {1} members are open: `repose sweep {0}/sweep.toml` "
-                    "goes on with it",
+                    "continues it",
                     folder, open));
   }
   const auto names = file.texts("points/name");
-  std::vector<LaidOn> all;
+  std::vector<BaseOverlay> all;
   bool any = false;
   for (std::size_t p = 0; p < names.size(); ++p) {
-    LaidOn laid;
+    BaseOverlay overlay;
     try {
       const auto base = measured_base(folder, p);
       any = true;
-      laid = all_laid_on(base, choices, problems);
-      laid.members = file.integer(fmt::format("profiles/{:04}", p), "members");
+      overlay = compare_models(base, choices, problems);
+      overlay.members = file.integer(fmt::format("profiles/{:04}", p), "members");
     } catch (const InputError& error) {
-      laid.problem = error.what();
+      overlay.problem = error.what();
     }
-    laid.point = names[p];
-    all.push_back(std::move(laid));
+    overlay.point = names[p];
+    all.push_back(std::move(overlay));
   }
-  if (!any) problems.push_back(fmt::format("{}: no point has a base profile that a theory could be laid on", folder));
+  if (!any)
+    problems.push_back(fmt::format("{}: no point has a base profile that theory could be compared with", folder));
   return all;
 }
 
-void write(const std::string& folder, const std::vector<LaidOn>& all, bool sweep) {
+void write(const std::string& folder, const std::vector<BaseOverlay>& all, bool sweep) {
   const auto path = folder + "/summary.json";
   const auto list = list_json(all);
   if (!sweep) {
@@ -237,7 +238,7 @@ MeasuredBase measured_base(const std::string& folder) {
   const auto json = finished_summary(folder);
   const Hdf5Reader file(folder + "/analysis.h5");
   if (json.at("base_profile").is_null() || !file.has("base")) {
-    throw InputError(fmt::format("{}: no base profile: the heap stands on no row of base grains", folder));
+    throw InputError(fmt::format("{}: no base profile: the heap does not stand on a row of base grains", folder));
   }
   if (json.at("base_dip").is_null()) throw InputError(fmt::format("{}: nothing rests on the base", folder));
   MeasuredBase base;
@@ -274,7 +275,7 @@ MeasuredBase measured_base(const std::string& folder, std::size_t point) {
   return base;
 }
 
-std::vector<LaidOn> lay_theory_on(const std::string& folder, const std::vector<std::string>& choices) {
+std::vector<BaseOverlay> overlay_theory(const std::string& folder, const std::vector<std::string>& choices) {
   std::vector<std::string> problems;
   std::vector<TheoryChoice> chosen;
   for (const auto& written : choices) {
@@ -282,20 +283,20 @@ std::vector<LaidOn> lay_theory_on(const std::string& folder, const std::vector<s
     auto choice = read_choice(written, problems);
     if (problems.size() == before) chosen.push_back(std::move(choice));
   }
-  std::vector<LaidOn> all;
+  std::vector<BaseOverlay> all;
   try {
     const FolderLock lock(folder);
     const bool sweep = SweepFolder::is_one(folder);
     if (sweep) {
-      all = laid_on_sweep(folder, chosen, problems);
+      all = compare_sweep(folder, chosen, problems);
     } else {
-      all.push_back(all_laid_on(measured_base(folder), chosen, problems));
+      all.push_back(compare_models(measured_base(folder), chosen, problems));
     }
     if (problems.empty()) write(folder, all, sweep);
   } catch (const InputError& error) {
     add_problems(error, problems);
   } catch (const Json::exception&) {
-    problems.push_back(fmt::format("{}/summary.json: is not a summary of this version of Repose", folder));
+    problems.push_back(fmt::format("{}/summary.json: is no summary of this version of Repose", folder));
   }
   if (!problems.empty()) throw InputError(problems);
   return all;

@@ -10,22 +10,22 @@
 
 namespace repose {
 
-/// Reads MODEL or MODEL:key=value,key=value, as on the command line. What is wrong is appended to `problems`, one line
+/// Reads MODEL or MODEL:key=value,key=value, as on the command line. Appends each problem to `problems`, one line
 /// each.
 TheoryChoice read_choice(const std::string& written, std::vector<std::string>& problems);
 
-/// All models laid on one base.
-struct LaidOn {
-  std::string point;         ///< of a sweep; "" of a run
+/// All models compared with one base.
+struct BaseOverlay {
+  std::string point;         ///< of a sweep; "" for a run
   std::int64_t members = 1;  ///< finished runs that the profile is the mean of
   std::vector<TheoryComparison> models;
-  std::string problem;  ///< of a point on which nothing could be laid: why
+  std::string problem;  ///< why this point has no base to compare with
 };
 
-/// Lays the models on the base of a finished run, or of every point of a sweep that has a base profile, and puts the
-/// list of what came out into the key "theory" of summary.json, which a sweep has for that alone; see
-/// docs/reference/summary.md. Throws InputError with a line for every problem, and then has written nothing.
-std::vector<LaidOn> lay_theory_on(const std::string& folder, const std::vector<std::string>& choices);
+/// Compares the models with the base of a finished run, or of every point of a sweep that has a base profile, and
+/// writes the results under the key "theory" of summary.json; see docs/reference/summary.md. Throws InputError with a
+/// line for every problem, and then writes nothing.
+std::vector<BaseOverlay> overlay_theory(const std::string& folder, const std::vector<std::string>& choices);
 
 /// The measured base of a run folder (of a sweep folder: of one of its points). Throws InputError.
 MeasuredBase measured_base(const std::string& folder);

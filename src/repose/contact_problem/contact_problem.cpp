@@ -3,7 +3,6 @@
 #include "repose/contact_problem/contact_problem.hpp"
 
 #include "repose/core/errors.hpp"
-#include "repose/methods/contact_dynamics/contact_dynamics.hpp"
 #include "repose/scene/geometry.hpp"
 #include "repose/simulation/methods.hpp"
 
@@ -37,23 +36,24 @@ void check(const Record& record) {
 ContactProblem next_contact_problem(Record record) {
   check(record);
   const auto method = make_method(record.scene);
-  auto& dynamics = dynamic_cast<ContactDynamics<2>&>(*method);
   auto& grains = record.grains;
   Team team(1);
-  dynamics.refresh(grains, team);
-  dynamics.set_histories(grains, record.contacts);
+  method->refresh(grains, team);
+  method->set_histories(grains, record.contacts);
+  const auto* problem = method->problem_at(record.facts.time, grains, team);
+  REPOSE_ASSERT(problem != nullptr);
 
   ContactProblem posed;
   posed.title = record.scene.title;
   posed.time = record.facts.time;
   posed.time_step = record.facts.time_step;
-  posed.problem = dynamics.problem_after(record.facts.steps, grains, team);
+  posed.problem = *problem;
   for (std::size_t k = 0; k < grains.size(); ++k) {
     posed.places.push_back({grains.id[k], grains.line[k].radius, grains.line[k].position});
   }
   const auto walls = make_walls(record.scene);
   for (std::size_t w = 0; w < walls.size(); ++w) {
-    posed.places.push_back({plane_partner(static_cast<std::int64_t>(w)), 0.0, walls[w].point});
+    posed.places.push_back({wall_partner(static_cast<std::int64_t>(w)), 0.0, walls[w].point});
   }
   return posed;
 }

@@ -13,7 +13,7 @@ namespace repose {
 
 /// One contact problem of discs apart from any run, as docs/reference/contact-problem.md describes its file.
 struct ContactProblem {
-  /// Of each body of the problem; a wall has no radius.
+  /// A body of the problem; a wall has no radius.
   struct Place {
     std::int64_t id = 0;  ///< of the grain; -1 - k: wall k
     double radius = 0.0;  ///< [L]

@@ -255,7 +255,7 @@ void write_contact_problem(const std::string& path, const ContactProblem& posed)
 }
 
 ContactProblem read_contact_problem(const std::string& path) {
-  const Hdf5Reader file(path, Sealing::may_be_missing);
+  const Hdf5Reader file(path, Sealing::optional);
   std::vector<std::string> problems;
   const auto attempt = [&](const auto& results) {
     try {

@@ -8,7 +8,7 @@
 
 namespace repose {
 
-/// Allocates whole cache lines, which are also what the widest registers hold.
+/// Allocates at multiples of 64 bytes: a cache line, and the size of the widest vector registers.
 template <class T>
 struct CacheAligned {
   using value_type = T;

@@ -10,13 +10,14 @@
 
 namespace repose {
 
-/// Goes through the state of an object, name by name: a checkpoint keeps what it is shown or gives it back, bit for
-/// bit. Each object has one function `exchange(Archive&)` for both, so that the two cannot drift apart.
+/// Visits the state of an object, name by name. A checkpoint being written stores each value that it visits; one being
+/// restored sets it, to the bit. Each object has one function `exchange(Archive&)` for both directions, so that they
+/// cannot drift apart.
 class Archive {
  public:
   virtual ~Archive() = default;
 
-  /// A number, or anything else that is its bytes.
+  /// A number or any other trivially copyable value.
   template <class T>
   void value(const std::string& name, T& value) {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -33,16 +34,17 @@ class Archive {
     });
   }
 
-  /// Whether the objects are being filled in.
+  /// Whether the objects are being restored (true) or stored (false).
   virtual bool restoring() const = 0;
 
-  /// To be told whether what was given back under this name fits the rest; what does not is refused.
+  /// When restoring, refuses the value of this name unless it fits the rest of the state.
   void check(const std::string& name, bool fits) const {
     if (restoring() && !fits) refuse(name);
   }
 
  protected:
-  /// `count` items of `item` bytes at `data`; when restoring, `room` makes room for as many as were kept.
+  /// Stores or restores `count` items of `item` bytes at `data`. When restoring, `room(n)` returns memory for the n
+  /// stored items, or null if n does not fit.
   virtual void block(const std::string& name, std::size_t item, std::size_t count, const void* data,
                      const std::function<void*(std::size_t count)>& room) = 0;
   virtual void refuse(const std::string& name) const = 0;

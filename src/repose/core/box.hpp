@@ -9,7 +9,7 @@
 
 namespace repose {
 
-/// The region of space that is simulated. x is open or periodic; a grain whose centre leaves an open region is lost.
+/// The simulated region of space. x is open or periodic; a grain whose centre leaves an open region is lost.
 template <int D>
 struct Box {
   bool periodic = false;                                    ///< x wraps from x_max to x_min
@@ -19,22 +19,22 @@ struct Box {
 
   REPOSE_FN double width() const { return x_max - x_min; }
 
-  /// True if a grain at this place has left for good.
+  /// Whether a grain with its centre here is lost.
   bool outside(const Vec<D>& position) const {
     if (position[up<D>] < floor) return true;
     return !periodic && (position[0] < x_min || position[0] > x_max);
   }
 
-  /// Position with x brought into [x_min, x_max) where periodic.
+  /// The position with x moved into [x_min, x_max) if the box is periodic.
   Vec<D> wrapped(Vec<D> position) const {
     if (!periodic) return position;
     position[0] -= width() * std::floor((position[0] - x_min) / width());
-    if (position[0] >= x_max) position[0] = x_min;  // rounding of a place just below x_min
+    if (position[0] >= x_max) position[0] = x_min;  // a position just below x_min rounds up to x_max
     return position;
   }
 };
 
-/// Separation a - b by the nearest image. Positions may lie up to half a width outside a periodic box.
+/// The separation a - b [L] by the nearest image. Positions may lie up to half a width outside a periodic box.
 template <bool Periodic, int D>
 REPOSE_FN Vec<D> separation(const Vec<D>& a, const Vec<D>& b, const Box<D>& box) {
   Vec<D> d = a - b;

@@ -11,31 +11,32 @@
 
 namespace repose {
 
-/// One contact as every method reports it. The normal points from the second to the first partner, the tangent of 2D is
-/// the normal turned by +90 degrees, forces act on the first partner, a positive normal force pushes apart.
+/// One contact, as every method reports it. The normal points from the second to the first partner; the tangent in 2D
+/// is the normal turned by +90 degrees. Forces act on the first partner, and a positive normal force pushes it away.
 template <int D>
 struct Contact {
   std::int64_t first = 0;   ///< id of a grain
-  std::int64_t second = 0;  ///< id of a grain, or -1 - k for plane k
+  std::int64_t second = 0;  ///< id of a grain, or -1 - k for wall k
   Vec<D> normal{};
-  double overlap = 0.0;           ///< [L] sum of the radii less the distance; negative in the tail of a long-ranged law
-  double relative_overlap = 0.0;  ///< overlap over the mean diameter of the pair
+  double overlap = 0.0;  ///< [L] sum of the radii minus the distance; negative beyond touching, in a long-ranged law
+  double relative_overlap = 0.0;  ///< overlap divided by the mean diameter of the pair
   double normal_force = 0.0;      ///< [M L/T^2]
   Tangent<D> tangential_force{};  ///< [M L/T^2]
-  Tangent<D> history{};           ///< [L] accumulated tangential displacement
+  Tangent<D> history{};           ///< [L] slip displacement: tangential displacement accumulated by the contact
   double first_lever = 0.0;       ///< [L] from the centre of the first partner to the contact point
   bool sliding = false;           ///< at the Coulomb limit
 };
 
-/// Force on the first partner [M L/T^2]; the second feels the opposite.
+/// Force on the first partner [M L/T^2]; the force on the second is its negative.
 template <int D>
 Vec<D> force_of(const Contact<D>& contact) {
   return contact.normal * contact.normal_force + in_space(contact.tangential_force, contact.normal);
 }
 
-constexpr std::int64_t plane_partner(std::int64_t plane) { return -1 - plane; }
+/// The number by which a contact names wall k as its second partner.
+constexpr std::int64_t wall_partner(std::int64_t wall) { return -1 - wall; }
 
-/// The contacts of one moment: the output of every method, ordered by the ids of the partners.
+/// The contacts at one time, in ascending order of the partners' ids once sorted. Every method reports them.
 template <int D>
 struct Contacts {
   std::vector<Contact<D>> list;

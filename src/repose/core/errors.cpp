@@ -9,7 +9,7 @@ namespace repose {
 
 namespace {
 
-/// Control characters, which a file may bring into a message, made visible: a problem is one line.
+/// Makes control characters visible, which a file may bring into a message, so that a problem stays on one line.
 std::string on_one_line(const std::string& text) {
   std::string line;
   for (const char c : text) {

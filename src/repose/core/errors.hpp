@@ -8,7 +8,7 @@
 
 namespace repose {
 
-/// Bad input, found at the border before anything was written: every problem, one line each. Exit status 2.
+/// Bad input, found before anything is written. Lists every problem, one line each. Exit status 2.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::vector<std::string> problems);
@@ -19,7 +19,7 @@ class InputError : public std::runtime_error {
   std::vector<std::string> problems_;
 };
 
-/// Something went wrong in a run that had begun well (disk full, exploding grains). Exit status 1.
+/// Trouble in a run whose input was good (disk full, exploding grains). Exit status 1.
 class RunError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -29,7 +29,7 @@ class RunError : public std::runtime_error {
 
 }  // namespace repose
 
-/// An assumption of ours; its failure is our bug, never the user's. On in debug builds and in CI.
+/// States an assumption of the code. A failure is a bug of Repose, never bad input. On in debug builds and in CI.
 #ifdef REPOSE_ASSERTS
 #define REPOSE_ASSERT(condition) \
   ((condition) ? static_cast<void>(0) : ::repose::assertion_failed(#condition, __FILE__, __LINE__))

@@ -11,23 +11,23 @@
 
 namespace repose {
 
-/// What every step of a pair force touches: one 64-byte line in 2D, two in 3D.
+/// The part of a grain that a pair force reads and writes in every step: one 64-byte line in 2D, two in 3D.
 template <int D>
 struct alignas(64) Grain {
   Vec<D> velocity{};          ///< [L/T]
   Spin<D> rim_velocity{};     ///< [L/T] angular velocity times radius
-  double inverse_mass = 0.0;  ///< [1/M] 0: fixed, never moves nor turns
+  double inverse_mass = 0.0;  ///< [1/M] 0: fixed, neither moves nor rotates
   Vec<D> position{};          ///< [L]
   double radius = 0.0;        ///< [L]
-  double mass = 0.0;          ///< [M] nominal mass, of fixed grains too
+  double mass = 0.0;          ///< [M] nominal mass; fixed grains have one too
 
   bool fixed() const { return inverse_mass == 0.0; }
 };
 static_assert(sizeof(Grain<2>) == 64);
 static_assert(sizeof(Grain<3>) == 128);
 
-/// Velocities half a step behind the position, kept by methods whose `line` holds velocities predicted for the full
-/// step.
+/// Velocities half a step behind the positions. Methods keep them if their `line` holds velocities predicted for the
+/// full step.
 template <int D>
 struct HalfStep {
   Vec<D> velocity{};       ///< [L/T]
@@ -38,8 +38,9 @@ struct HalfStep {
 template <int D>
 inline constexpr double inverse_inertia_factor = D == 2 ? 2.0 : 2.5;
 
-/// The grains of a simulation: a hot line each, and one array per property for the rest. All arrays have one entry per
-/// grain, in memory order, which follows space and changes; `id` is stable and names a grain wherever it leaves memory.
+/// The grains of a simulation: `line` holds what pair forces need, and each further property has an array. All arrays
+/// have one entry per grain, in memory order, which follows space and changes. `id` is stable and names a grain in
+/// every output.
 template <int D>
 struct Grains {
   std::vector<Grain<D>> line;
@@ -60,7 +61,7 @@ struct Grains {
     if (!half_step.empty()) half_step.push_back({grain.velocity, grain.rim_velocity});
   }
 
-  /// Makes room for this many grains in all.
+  /// Makes room for this many grains in total.
   void reserve(std::size_t count) {
     line.reserve(count);
     id.reserve(count);
@@ -102,7 +103,7 @@ struct Grains {
   }
 };
 
-/// Memory order of the grains by ascending stable id: entry k is the place of the k-th smallest id.
+/// The order of the grains by ascending stable id: entry k is the index in memory of the k-th smallest id.
 template <int D>
 std::vector<std::uint32_t> by_id(const Grains<D>& grains);
 
@@ -110,7 +111,7 @@ std::vector<std::uint32_t> by_id(const Grains<D>& grains);
 template <int D>
 std::size_t moving_count(const Grains<D>& grains);
 
-/// Kinetic energy of translation and rotation [M L^2/T^2] of one grain, by its nominal mass.
+/// Kinetic energy of translation and rotation [M L^2/T^2] of one grain, from its nominal mass.
 template <int D>
 double kinetic_energy(const Grain<D>& grain) {
   return 0.5 * grain.mass *

@@ -2,5 +2,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// Marks what an inner loop calls: small functions that must be inlined (compilers decline silently otherwise).
+/// Marks small functions that inner loops call and that must be inlined; without it, compilers may silently decline.
 #define REPOSE_FN [[gnu::always_inline]] inline

@@ -8,7 +8,7 @@
 
 namespace repose {
 
-/// What a random number is for; each purpose has its own stream.
+/// The purpose of a random number; each purpose has its own stream.
 enum class Purpose : std::uint32_t {
   release_position = 1,
   grain_size = 2,
@@ -21,7 +21,8 @@ enum class Purpose : std::uint32_t {
   force_fraction = 9
 };
 
-/// Uniform in [0, 1), a pure function of (seed, purpose, index, draw): Philox4x32-10, 53 bits.
+/// A random number uniform in [0, 1) with 53 bits: a pure function of (seed, purpose, index, draw), by Philox4x32-10
+/// (Salmon et al. 2011).
 inline double uniform(std::uint64_t seed, Purpose purpose, std::uint64_t index, std::uint32_t draw = 0) {
   using Philox = r123::Philox4x32;
   const Philox::ctr_type counter{{static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(index >> 32), draw,

@@ -16,15 +16,15 @@ double normal_fraction(double x, double centre, double spread) {
   return boost::math::cdf(boost::math::normal_distribution<double>(centre, spread), x);
 }
 
-/// Makes sums of shares into fractions up to each.
-std::vector<double> cumulative(std::vector<double> shares) {
+/// The cumulative fractions of these weights: running sums, scaled so that the last is 1.
+std::vector<double> cumulative(std::vector<double> weights) {
   double sum = 0.0;
-  for (auto& share : shares) {
-    sum += share;
-    share = sum;
+  for (auto& weight : weights) {
+    sum += weight;
+    weight = sum;
   }
-  for (auto& share : shares) share /= sum;
-  return shares;
+  for (auto& weight : weights) weight /= sum;
+  return weights;
 }
 
 }  // namespace
@@ -71,23 +71,24 @@ SizeDistribution SizeDistribution::table(std::vector<double> diameters, std::vec
   return sizes;
 }
 
-/// Between two sieves a < b the mass per diameter is constant, so the number goes with 1/d^2: the shares by number are
-/// the shares by mass over a b, and up to d there are (1/a - 1/d) / (1/a - 1/b) of them.
+/// Between two sieves a < b the mass (d^2 in 2D) per diameter is constant, so the number density is proportional to
+/// 1/d^2. The fraction by number between them is proportional to the fraction by mass divided by a b, and the part of
+/// it below d is (1/a - 1/d) / (1/a - 1/b).
 SizeDistribution SizeDistribution::sieve(std::vector<double> diameters, const std::vector<double>& passing) {
   auto sizes = uniform(diameters.front(), diameters.back());
   sizes.kind_ = Kind::sieve;
-  std::vector<double> shares{0.0};
+  std::vector<double> by_number{0.0};
   for (std::size_t k = 1; k < diameters.size(); ++k) {
-    shares.push_back((passing[k] - passing[k - 1]) / (diameters[k - 1] * diameters[k]));
+    by_number.push_back((passing[k] - passing[k - 1]) / (diameters[k - 1] * diameters[k]));
   }
   sizes.diameters_ = std::move(diameters);
-  sizes.below_ = cumulative(std::move(shares));
+  sizes.below_ = cumulative(std::move(by_number));
   return sizes;
 }
 
 double SizeDistribution::quantile(double u) const {
   if (smallest_ == largest_) return largest_;
-  // The first entry up to which there is more than u; rounding must not lead beyond the last.
+  // The first entry whose cumulative fraction exceeds u. Rounding must not lead beyond the last entry.
   const auto entry = [&] {
     const auto found = std::upper_bound(below_.begin(), below_.end(), u);
     return static_cast<std::size_t>(std::min(found, below_.end() - 1) - below_.begin());

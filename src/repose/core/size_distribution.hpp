@@ -6,8 +6,8 @@
 
 namespace repose {
 
-/// How the diameters of grains are distributed by number. A diameter is `quantile(u)` of a uniform number u, so that
-/// sizes are as random, and as reproducible, as the numbers are. Validated by tests/unit/size_distribution_test.cpp.
+/// The distribution of grain diameters by number. A diameter is `quantile(u)` of a uniform random number u, so that
+/// sizes are reproducible if the random numbers are. Validated by tests/unit/size_distribution_test.cpp.
 class SizeDistribution {
  public:
   static SizeDistribution fixed(double diameter);
@@ -19,20 +19,20 @@ class SizeDistribution {
   /// Log-normal, with `mean` and standard deviation `deviation` of the diameter itself, cut to [low, high].
   static SizeDistribution log_normal(double mean, double deviation, double low, double high);
 
-  /// Some diameters, each with its share by number; weights need not sum to 1.
+  /// A list of diameters, each with its weight by number; weights need not sum to 1.
   static SizeDistribution table(std::vector<double> diameters, std::vector<double> weights);
 
-  /// A sieve curve: `passing` is the fraction by mass that is finer than each diameter, rising from 0 to 1; mass is
-  /// spread evenly between two sieves.
+  /// A sieve curve: `passing` is the fraction by mass that is finer than each diameter, and rises from 0 to 1. Between
+  /// two sieves the mass per diameter is constant.
   static SizeDistribution sieve(std::vector<double> diameters, const std::vector<double>& passing);
 
-  /// The diameter [L] than which a fraction u of [0, 1) of the grains is smaller.
+  /// The diameter [L] below which the fraction u of the grains by number lies, 0 <= u < 1.
   double quantile(double u) const;
 
   double smallest() const { return smallest_; }
   double largest() const { return largest_; }
 
-  /// Mean square diameter [L^2]: mean masses go with it.
+  /// Mean square diameter [L^2]; the mean mass of a disc is proportional to it.
   double mean_square() const;
 
  private:
@@ -41,19 +41,20 @@ class SizeDistribution {
   Kind kind_ = Kind::uniform;
   double smallest_ = 1.0;
   double largest_ = 1.0;
-  double centre_ = 0.0;  // of the normal variable
-  double spread_ = 1.0;
-  double from_ = 0.0;  // its distribution function at the two ends
-  double to_ = 1.0;
+  double centre_ = 0.0;  // mean of the normal variable (of the logarithm, if log-normal)
+  double spread_ = 1.0;  // its standard deviation
+  double from_ = 0.0;    // its distribution function at the smallest diameter
+  double to_ = 1.0;      // and at the largest
   std::vector<double> diameters_;
   std::vector<double> below_;  // fraction by number up to each diameter
 };
 
-/// Mean and standard deviation of the logarithm of a log-normal variable with this mean and standard deviation.
+/// The mean and standard deviation of the logarithm of a log-normal variable.
 struct LogMoments {
   double mean;
   double deviation;
 };
+/// From the mean and standard deviation of the variable itself.
 LogMoments log_moments(double mean, double deviation);
 
 }  // namespace repose

@@ -7,14 +7,14 @@
 
 namespace repose {
 
-/// What an implicit method's solver did over some steps. Steps that are not converged are no error by themselves, but
-/// they are counted: an unconverged packing creeps, and the creep looks like rearrangement.
+/// The work and accuracy of an implicit method's solver over a number of steps. An unconverged step is no error by
+/// itself, but it is counted: an unconverged packing creeps, and the creep looks like rearrangement.
 struct SolverAccount {
   std::int64_t steps = 0;
-  std::int64_t sweeps = 0;              ///< forward and backward
-  std::int64_t contact_iterations = 0;  ///< contacts visited by sweeps, each way counted
-  std::int64_t unconverged = 0;         ///< steps that reached the cap
-  double worst_residual = 0.0;          ///< [gravity times time step] of all steps
+  std::int64_t sweeps = 0;              ///< a sweep visits all contacts forward and backward
+  std::int64_t contact_iterations = 0;  ///< visits of contacts; forward and backward count as two
+  std::int64_t unconverged = 0;         ///< steps that reached the limit on sweeps
+  double worst_residual = 0.0;          ///< [gravity times time step] the largest of all steps
 
   SolverAccount& operator+=(const SolverAccount& b) {
     steps += b.steps;

@@ -9,7 +9,7 @@
 
 namespace repose {
 
-/// A fixed team of threads that run the same function side by side. The caller is member 0.
+/// A fixed team of threads that run the same function in parallel. The calling thread is member 0.
 class Team {
  public:
   explicit Team(int threads);
@@ -22,7 +22,7 @@ class Team {
   /// Runs task(member) on every member and returns when all have finished. Tasks must not throw.
   void run(const std::function<void(int)>& task);
 
-  /// Inside a task: waits until every member has come here.
+  /// Call this inside a task: it returns when every member has called it.
   void wait();
 
  private:
@@ -32,16 +32,18 @@ class Team {
   std::barrier<> start_;
   std::barrier<> finish_;
   std::barrier<> inside_;
-  const std::function<void(int)>* task_ = nullptr;  // null: the team is dissolved
+  const std::function<void(int)>* task_ = nullptr;  // null tells the threads to end
   std::vector<std::thread> threads_;
 };
 
-/// Contiguous share of `count` items for one member of a team.
+/// A contiguous range of items.
 struct Range {
   std::size_t begin = 0;
   std::size_t end = 0;
 };
-inline Range share(std::size_t count, int member, int members) {
+
+/// The range of `count` items that belongs to one member of a team.
+inline Range range_of(std::size_t count, int member, int members) {
   const auto m = static_cast<std::size_t>(member);
   const auto n = static_cast<std::size_t>(members);
   return {count * m / n, count * (m + 1) / n};

@@ -7,23 +7,23 @@
 
 namespace repose {
 
-/// A moving grain at one moment of a track; single precision is ample for telling who has moved.
+/// A moving grain at one time of a track. Single precision suffices to find the grains that have moved.
 struct TrackedGrain {
   std::int64_t id = 0;
-  float x = 0.0F;               ///< [L] brought into a periodic box
+  float x = 0.0F;               ///< [L] wrapped into a periodic box
   float y = 0.0F;               ///< [L]
   float radius = 0.0F;          ///< [L]
   float kinetic_energy = 0.0F;  ///< [M L^2/T^2] translation and rotation
-  bool in_heap = false;         ///< touches something
+  bool in_heap = false;         ///< whether it has a contact
 };
 
-/// The moving grains, by ascending id, at one time.
+/// The moving grains at one time, by ascending id.
 struct TrackMoment {
   double time = 0.0;  ///< [T]
   std::vector<TrackedGrain> grains;
 };
 
-/// Where the moving grains were at regular moments of a run.
+/// The moving grains at regular times of a run.
 using Track = std::vector<TrackMoment>;
 
 }  // namespace repose

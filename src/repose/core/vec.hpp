@@ -32,7 +32,7 @@ struct Vec {
   friend constexpr bool operator==(const Vec&, const Vec&) = default;
 };
 
-/// Two numbers that share a register: the pair kernel is faster than with two of their own (./dev bench).
+/// Two numbers in one vector register: the pair kernel is faster than with two scalar registers (./dev bench).
 template <>
 struct Vec<2> {
   using Both = double __attribute__((vector_size(16)));
@@ -85,22 +85,22 @@ REPOSE_FN constexpr double dot(const Vec<D>& a, const Vec<D>& b) {
   return sum;
 }
 
-/// Product of two rotations or tangents: a number in 2D.
+/// Inner product of two spins or tangents, which are numbers in 2D.
 REPOSE_FN double inner(double a, double b) { return a * b; }
 template <int D>
 REPOSE_FN double inner(const Vec<D>& a, const Vec<D>& b) {
   return dot(a, b);
 }
 
-/// The axis along which gravity acts by convention, and along which memory order runs fastest: the last.
+/// The vertical axis: the last. Memory order runs fastest along it.
 template <int D>
 inline constexpr int up = D - 1;
 
-/// Rotations: counter-clockwise angle rate in 2D, axial vector in 3D.
+/// An angular velocity: counter-clockwise rate in 2D, axial vector in 3D.
 template <int D>
 using Spin = std::conditional_t<D == 2, double, Vec<D>>;
 
-/// A quantity of the contact's tangent plane: component along t = z x n in 2D, vector in 3D.
+/// A quantity in the contact's tangent plane: component along t = z x n in 2D, vector in 3D.
 template <int D>
 using Tangent = std::conditional_t<D == 2, double, Vec<D>>;
 
@@ -116,7 +116,7 @@ REPOSE_FN double squared(const Vec<D>& a) {
   return dot(a, a);
 }
 
-/// Part of a that is tangential to the unit normal n.
+/// The part of a that is perpendicular to the unit normal n.
 REPOSE_FN double tangential(const Vec<2>& a, const Vec<2>& n) { return a[1] * n[0] - a[0] * n[1]; }
 REPOSE_FN Vec<3> tangential(const Vec<3>& a, const Vec<3>& n) { return a - n * dot(a, n); }
 
@@ -124,7 +124,7 @@ REPOSE_FN constexpr Vec<3> cross(const Vec<3>& a, const Vec<3>& b) {
   return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
 }
 
-/// Velocity per unit lever of a surface that spins: spin x n, as a tangent.
+/// Surface velocity per unit lever of a spinning grain: spin x n, as a tangent.
 REPOSE_FN double spin_cross(double spin, const Vec<2>&) { return spin; }
 REPOSE_FN Vec<3> spin_cross(const Vec<3>& spin, const Vec<3>& n) { return cross(spin, n); }
 
@@ -132,16 +132,16 @@ REPOSE_FN Vec<3> spin_cross(const Vec<3>& spin, const Vec<3>& n) { return cross(
 REPOSE_FN double normal_cross(const Vec<2>&, double force) { return force; }
 REPOSE_FN Vec<3> normal_cross(const Vec<3>& n, const Vec<3>& force) { return cross(n, force); }
 
-/// The tangent as a vector of space.
+/// The tangent as a vector in space.
 REPOSE_FN Vec<2> in_space(double tangent, const Vec<2>& n) { return {{-n[1] * tangent, n[0] * tangent}}; }
 REPOSE_FN Vec<3> in_space(const Vec<3>& tangent, const Vec<3>&) { return tangent; }
 
-/// A tangent that was stored for contact (i, j), as contact (j, i) has it: n and t both turn round, so the component
-/// of 2D stays and the vector of 3D changes sign.
+/// A tangential displacement stored for contact (i, j), converted to contact (j, i). n and t both reverse, so the
+/// component in 2D keeps its sign and the vector in 3D changes sign.
 REPOSE_FN double swapped(double tangent) { return tangent; }
 REPOSE_FN Vec<3> swapped(const Vec<3>& tangent) { return -tangent; }
 
-/// Turns a stored tangent with the contact: kept in the tangent plane of the new normal at its old length.
+/// Rotates a stored tangent with the contact: projects it on the tangent plane of the new normal and keeps its length.
 REPOSE_FN double turned(double tangent, const Vec<2>&) { return tangent; }
 REPOSE_FN Vec<3> turned(const Vec<3>& tangent, const Vec<3>& n) {
   const double before = dot(tangent, tangent);

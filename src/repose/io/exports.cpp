@@ -12,7 +12,7 @@ std::size_t place_of(const Grains<2>& grains, std::int64_t id) {
   return static_cast<std::size_t>(std::lower_bound(grains.id.begin(), grains.id.end(), id) - grains.id.begin());
 }
 
-/// Bounds of the box, in x of an open one and in y of any those of the grains.
+/// The bounds of a snapshot: in x those of a periodic box, otherwise those of the grains.
 struct Bounds2 {
   double low[2];
   double high[2];
@@ -36,7 +36,7 @@ Bounds2 bounds_of(const Grains<2>& grains, const Box<2>& box) {
   return bounds;
 }
 
-// All numbers are printed in the fewest digits that read back as the same bits.
+// All numbers are printed with the fewest digits that read back as the same bits.
 
 void print_header(WholeFile& file, const Moment& moment, const Box<2>& box, const char* what, std::size_t count) {
   const auto bounds = bounds_of(moment.grains, box);
@@ -118,7 +118,7 @@ void add_grains_for_lammps(WholeFile& file, const Moment& moment, const Box<2>& 
   file.print("ITEM: ATOMS id type x y z vx vy vz omegaz radius mass fixed base\n");
   for (std::size_t k = 0; k < grains.size(); ++k) {
     const auto& grain = grains.line[k];
-    // LAMMPS counts atoms and types from 1.
+    // LAMMPS numbers atoms and types from 1.
     file.print("{} {} {} {} 0 {} {} 0 {} {} {} {} {}\n", grains.id[k] + 1, grains.material[k] + 1, grain.position[0],
                grain.position[1], grain.velocity[0], grain.velocity[1], grain.rim_velocity / grain.radius, grain.radius,
                grain.mass, grain.fixed() ? 1 : 0, grains.base[k]);

@@ -12,7 +12,7 @@
 
 namespace repose {
 
-/// Grains (by ascending id) and contacts of one moment.
+/// The grains (by ascending id) and contacts at one time.
 struct Moment {
   double time = 0.0;  ///< [T]
   std::int64_t step = 0;
@@ -20,18 +20,17 @@ struct Moment {
   Contacts<2> contacts;
 };
 
-/// The grains as points with all that is known of them.
+/// The grains as points with all their properties.
 VtkPolyData grains_for_vtk(const Moment& moment);
 
-/// The contacts as lines from centre to centre, or from a centre to the wall. Across a periodic side a line goes to the
-/// nearest image, beyond the side.
+/// The contacts as lines from centre to centre, or from a centre to the wall. Across a periodic side a line ends at the
+/// nearest image, outside the box.
 VtkPolyData contacts_for_vtk(const Moment& moment, const Box<2>& box);
 
-/// Adds the grains as a snapshot of a LAMMPS text dump. `box` is as wide as the simulation or, where it is open, as the
-/// grains.
+/// Adds the grains as a snapshot of a LAMMPS text dump. The written box is as wide as a periodic box, or as the grains.
 void add_grains_for_lammps(WholeFile& file, const Moment& moment, const Box<2>& box);
 
-/// Adds the contacts of grains with each other as a snapshot of a LAMMPS local dump, which OVITO reads as bonds.
+/// Adds the contacts between grains as a snapshot of a LAMMPS local dump, which OVITO reads as bonds.
 void add_contacts_for_lammps(WholeFile& file, const Moment& moment, const Box<2>& box);
 
 }  // namespace repose

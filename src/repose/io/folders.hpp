@@ -8,18 +8,21 @@
 
 namespace repose {
 
+/// Whether a file or folder of this name exists.
 bool is_there(const std::filesystem::path& path);
 
-/// The closest existing folder at or above a path.
+/// The nearest existing folder at or above a path.
 std::filesystem::path existing_ancestor(std::filesystem::path path);
 
-/// Why no output can be written into a folder of this name, which need not exist yet; one line each.
+/// The reasons why no output can be written into a folder of this name, one line each; empty if it can. The folder need
+/// not exist yet.
 std::vector<std::string> folder_problems(const std::string& path);
 
-/// Holds a folder for one writer as long as it lives; the system lets go of it should the program be killed.
+/// Locks a folder for one writer during its lifetime. The system releases the lock if the program is killed.
 class FolderLock {
  public:
-  /// Throws InputError if there is no such folder, or if another program has it and still has it after `patience` [s].
+  /// Throws InputError if the folder does not exist, or if another program holds the lock for longer than `patience`
+  /// [s].
   explicit FolderLock(const std::string& path, double patience = 0.0);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;

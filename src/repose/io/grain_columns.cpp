@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t most_problems = 20;
 constexpr std::int64_t most_materials = std::numeric_limits<std::uint16_t>::max();
 
-/// A cell in a message; a file that is something else may bring cells of any length.
+/// A cell as shown in a message: cut, because a file of another kind may contain cells of any length.
 std::string shown(std::string_view cell) {
   constexpr std::size_t longest = 40;
   return cell.size() <= longest ? std::string(cell) : std::string(cell.substr(0, longest)) + "...";
@@ -65,7 +65,7 @@ void GrainLines::read(std::size_t line, const std::vector<std::string_view>& cel
   for (std::size_t k = 0; k < cells.size(); ++k) {
     if (!set(row, k, line, cells[k])) return;
   }
-  if (row.base && !row.fixed) return problems_.add(line, "base = 1: a grain of the base must be fixed");
+  if (row.base && !row.fixed) return problems_.add(line, "base = 1: a base grain must be fixed");
   rows_.push_back(row);
   if (row.id) lines_.push_back(line);
 }
@@ -149,7 +149,7 @@ void GrainLines::check_ids() {
   for (std::size_t k = 0; k < order.size(); ++k) {
     const auto& row = rows_[order[k]];
     if (k > 0 && row.id == sorted.back().id) {
-      problems_.add(lines_[order[k]], fmt::format("id = {}: is in line {} already", *row.id, lines_[order[k - 1]]));
+      problems_.add(lines_[order[k]], fmt::format("id = {}: is already in line {}", *row.id, lines_[order[k - 1]]));
     }
     sorted.push_back(row);
   }

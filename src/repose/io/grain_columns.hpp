@@ -10,11 +10,11 @@
 #include <string_view>
 #include <vector>
 
-// For the readers of files of grains only: lines, columns and cells, and what is wrong with them.
+// For the readers of grain files only: lines, columns and cells, and their problems.
 
 namespace repose {
 
-/// The problems of one file: the first ones one line each, then how many more there are.
+/// The problems of one file: one line for each of the first 20, then the number of the rest.
 class FileProblems {
  public:
   explicit FileProblems(std::string path) : path_(std::move(path)) {}
@@ -37,29 +37,29 @@ class FileProblems {
   std::size_t count_ = 0;
 };
 
-/// What a column of a file holds of a grain.
+/// The quantity that a column of a file holds.
 enum class GrainColumn { none, id, x, y, z, vx, vy, spin, radius, diameter, mass, material, type, fixed, base };
 
-/// A whole cell as a number; none where it is something else, or neither finite nor in range.
+/// A whole cell as a number; none if it is anything else, not finite or out of range.
 std::optional<double> number_of(std::string_view cell);
 std::optional<std::int64_t> integer_of(std::string_view cell);
 
-/// Linear map of what is in a column for positions: box-scaled ones count from side to side.
+/// Linear map from a column to a position; box-scaled positions run from 0 to 1 across the box.
 struct Scaling {
   double origin = 0.0;
   double length = 1.0;
 };
 
-/// Reads lines of cells as grains.
+/// Reads grains from lines of cells.
 class GrainLines {
  public:
   GrainLines(FileProblems& problems, std::vector<GrainColumn> columns, std::vector<std::string> names,
              std::array<Scaling, 2> scaling = {});
 
-  /// One line; what is wrong with it goes to the problems.
+  /// Reads one line, and adds its problems to the problems of the file.
   void read(std::size_t line, const std::vector<std::string_view>& cells);
 
-  /// The grains, by ascending id where they have one. Throws InputError if there was any problem.
+  /// The grains; by ascending id, if they have ids. Throws InputError if there was any problem.
   std::vector<GrainRow> take();
 
  private:
@@ -70,12 +70,12 @@ class GrainLines {
   std::vector<GrainColumn> columns_;
   std::vector<std::string> names_;
   std::array<Scaling, 2> scaling_;
-  std::optional<double> z_;  // of the first grain
+  std::optional<double> z_;  // z of the first grain
   std::vector<GrainRow> rows_;
-  std::vector<std::size_t> lines_;  // of the rows, as far as they have ids
+  std::vector<std::size_t> lines_;  // line numbers of the rows, if they have ids
 };
 
-/// Readers of the two kinds of file, which is at its start. Throw InputError.
+/// Read the two kinds of file from the start. Throw InputError.
 std::vector<GrainRow> read_grains_table(std::istream& file, FileProblems& problems);
 std::vector<GrainRow> read_lammps_dump(std::istream& file, FileProblems& problems, std::int64_t step);
 

@@ -14,7 +14,8 @@ namespace repose {
 
 namespace {
 
-/// Text has no byte 0; HDF5, LAMMPS binary dumps and compressed files have some near their start.
+/// Whether the start of a file is binary: HDF5 files, LAMMPS binary dumps and compressed files have control bytes near
+/// their start, text has none.
 bool binary(std::string_view head) {
   return std::any_of(head.begin(), head.end(), [](char c) { return c == '\0' || c == '\x1f' || c == '\x1a'; });
 }

@@ -11,7 +11,7 @@
 
 namespace repose {
 
-/// A grain as a file has it.
+/// A grain as given in a file.
 struct GrainRow {
   std::optional<std::int64_t> id;
   Vec<2> position{};           ///< [L]
@@ -24,13 +24,13 @@ struct GrainRow {
   bool base = false;
 };
 
-/// The last snapshot of a dump, instead of the number of a step.
+/// In place of the number of a step: the last snapshot of a dump.
 inline constexpr std::int64_t last_snapshot = -1;
 
-/// Reads a table of grains (comma, semicolon or tab between the values, under a line of names) or a snapshot of
-/// a LAMMPS text dump: that of a step, or the last; which kind of file, the content says. Columns:
-/// docs/reference/scene.md. Grains that have ids come by ascending id, others as they are in the file. Throws
-/// InputError, one line "file:line: what" for each of the first 20 problems, then the number of the others.
+/// Reads a table of grains (a line of names, then values separated by comma, semicolon or tab) or a snapshot of a
+/// LAMMPS text dump: that of a step, or the last. The content decides which kind of file it is. docs/reference/scene.md
+/// lists the columns. Grains with ids are returned by ascending id, others in the order of the file. Throws InputError:
+/// one line "file:line: problem" for each of the first 20 problems, then the number of the rest.
 std::vector<GrainRow> read_grains_file(const std::string& path, std::int64_t step = last_snapshot);
 
 }  // namespace repose

@@ -12,7 +12,7 @@ namespace repose {
 
 namespace {
 
-/// Names of columns; the long ones are those that `repose export` writes.
+/// The names of columns. The long names are those that `repose export` writes.
 struct Name {
   const char* name;
   GrainColumn column;
@@ -35,7 +35,7 @@ std::string_view trimmed(std::string_view cell) {
   return cell;
 }
 
-/// The cells of a line; separators in quotes separate nothing.
+/// The cells of a line. Separators within quotes are text.
 void split(std::string_view line, char separator, std::vector<std::string_view>& cells) {
   cells.clear();
   bool quoted = false;
@@ -68,7 +68,7 @@ GrainLines read_header(std::size_t line, const std::vector<std::string_view>& ce
       continue;
     }
     if (std::find(columns.begin(), columns.end(), found->column) != columns.end()) {
-      problems.add(line, fmt::format("{}: is there twice", cell));
+      problems.add(line, fmt::format("{}: occurs twice", cell));
     }
     columns.push_back(found->column);
   }

@@ -10,7 +10,7 @@
 
 namespace repose {
 
-/// XXH3-128 of a stream of bytes, as 32 hexadecimal digits.
+/// The XXH3-128 hash of a stream of bytes, as 32 hexadecimal digits.
 class Hash {
  public:
   Hash();
@@ -30,6 +30,7 @@ class Hash {
   std::unique_ptr<State> state_;
 };
 
+/// The hash of a text.
 std::string hash_of(std::string_view text);
 
 }  // namespace repose

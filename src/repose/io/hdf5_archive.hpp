@@ -11,7 +11,7 @@
 
 namespace repose {
 
-/// Keeps state in a group of an HDF5 file.
+/// Stores state in a group of an HDF5 file.
 class ArchiveWriter final : public Archive {
  public:
   ArchiveWriter(Hdf5File& file, std::string group) : file_(file), group_(std::move(group)) {}
@@ -28,7 +28,7 @@ class ArchiveWriter final : public Archive {
   std::string group_;
 };
 
-/// Gives it back.
+/// Restores state from a group of an HDF5 file.
 class ArchiveReader final : public Archive {
  public:
   ArchiveReader(const Hdf5Reader& file, std::string group) : file_(file), group_(std::move(group)) {}
@@ -40,7 +40,7 @@ class ArchiveReader final : public Archive {
     file_.bytes(group_ + "/" + name, item, room);
   }
   void refuse(const std::string& name) const override {
-    throw InputError(fmt::format("{}: {}/{}: does not fit the rest", file_.path(), group_, name));
+    throw InputError(fmt::format("{}: {}/{}: does not fit the rest of the state", file_.path(), group_, name));
   }
 
   const Hdf5Reader& file_;

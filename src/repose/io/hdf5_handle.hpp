@@ -7,13 +7,13 @@
 #include <cstdint>
 #include <string>
 
-// For the sources of io/ only: nobody else sees the HDF5 library.
+// For the sources of io/ only: no other room includes the HDF5 library.
 
 namespace repose {
 
 static_assert(sizeof(hid_t) == sizeof(std::int64_t));
 
-/// An HDF5 handle that closes itself; negative: the call that made it failed.
+/// An HDF5 handle that closes itself. It is negative if the call that made it failed.
 class Handle {
  public:
   Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
@@ -30,10 +30,10 @@ class Handle {
   herr_t (*close_)(hid_t);
 };
 
-/// Errors are reported by us, and a file that could not be written must not be tried again at exit.
+/// Turns off the library's own error messages, and its attempt to write unfinished files again at exit.
 void set_up_hdf5();
 
-/// The system's own words for what went wrong, from the library's stack of errors.
+/// The system's reason for the last failure, from the library's error stack.
 std::string hdf5_reason();
 
 template <class T>

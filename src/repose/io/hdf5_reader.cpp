@@ -18,7 +18,7 @@ Hdf5Reader::Hdf5Reader(std::string path, Sealing sealing) : path_(std::move(path
   set_up_hdf5();
   std::error_code error;
   if (!std::filesystem::exists(path_, error)) throw InputError(fmt::format("{}: no such file", path_));
-  const bool unsealed = sealing == Sealing::may_be_missing && !is_sealed(path_);
+  const bool unsealed = sealing == Sealing::optional && !is_sealed(path_);
   if (const auto broken = unsealed ? "" : broken_seal(path_); !broken.empty()) {
     throw InputError(fmt::format("{}: {}", path_, broken));
   }
@@ -35,7 +35,7 @@ void Hdf5Reader::fail(const std::string& object, const std::string& what) const 
 }
 
 bool Hdf5Reader::has(const std::string& name) const {
-  // Every step of the path has to be asked for, and a link may point to nothing.
+  // Every group of the path must be checked, and a link may be dangling.
   for (auto slash = name.find('/'); slash != std::string::npos; slash = name.find('/', slash + 1)) {
     if (slash > 0 && H5Lexists(file_, name.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) return false;
   }
@@ -46,7 +46,7 @@ bool Hdf5Reader::has(const std::string& name) const {
 
 namespace {
 
-/// Text as h5py writes it.
+/// Text of variable length, as h5py writes it.
 std::string variable_text(hid_t attribute, hid_t type) {
   char* characters = nullptr;
   if (H5Aread(attribute, type, &characters) < 0 || characters == nullptr) return "";
@@ -75,7 +75,7 @@ std::string Hdf5Reader::text(const std::string& object, const std::string& attri
 
 namespace {
 
-/// One value of an attribute; false where there is none.
+/// Reads an attribute that is one value; false if it does not exist or has another shape or type.
 template <class T>
 bool read_attribute(hid_t file, const std::string& object, const std::string& attribute, T& value) {
   const Handle handle(H5Aopen_by_name(file, object.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);

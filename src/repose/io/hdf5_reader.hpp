@@ -11,15 +11,14 @@
 
 namespace repose {
 
-/// What a reader asks of a file: files that other programs write, too, have no seal.
-enum class Sealing { must_be_there, may_be_missing };
+/// Whether a file must be sealed. Files that other programs may write have no seal.
+enum class Sealing { mandatory, optional };
 
-/// Reads one HDF5 file of ours whose seal is whole. What links lead to in other files is not looked at: open these.
-/// Every call throws InputError, one line with the file and the object, where something is missing, damaged or of
-/// another type.
+/// Reads one HDF5 file after checking its seal. Links to other files are not checked: open those files instead. Every
+/// call throws InputError, one line with the file and the object, if something is missing, damaged or of another type.
 class Hdf5Reader {
  public:
-  explicit Hdf5Reader(std::string path, Sealing sealing = Sealing::must_be_there);
+  explicit Hdf5Reader(std::string path, Sealing sealing = Sealing::mandatory);
   ~Hdf5Reader();
   Hdf5Reader(const Hdf5Reader&) = delete;
   Hdf5Reader& operator=(const Hdf5Reader&) = delete;
@@ -34,34 +33,35 @@ class Hdf5Reader {
   template <class T>
   std::vector<T> dataset(const std::string& name, std::size_t columns = 1) const;
 
-  /// Text that Hdf5File::texts wrote.
+  /// The texts written by Hdf5File::texts.
   std::vector<std::string> texts(const std::string& name) const;
 
-  /// Bytes that Hdf5File::bytes wrote, of items of this size, into the room that is made for them; null: no room.
+  /// Reads the bytes written by Hdf5File::bytes, as items of `item` bytes, into the memory that room(count) returns;
+  /// null refuses the count.
   void bytes(const std::string& name, std::size_t item, const std::function<void*(std::size_t count)>& room) const;
 
-  /// The same of a dataset that has two dimensions even with one column.
+  /// All values of a dataset of shape (n, columns), also for one column, row by row.
   template <class T>
   std::vector<T> table(const std::string& name, std::size_t columns) const;
 
   /// The shape of a dataset; empty for anything else.
   std::vector<std::size_t> shape(const std::string& name) const;
 
-  /// The values of a dataset of any shape, row by row, as what they are.
+  /// The values of a dataset of any shape, row by row, in its own type.
   using Values =
       std::variant<std::vector<double>, std::vector<float>, std::vector<std::int64_t>, std::vector<std::string>>;
   Values values(const std::string& name) const;
 
-  /// The attributes of an object that are one number or text, ascending by name, as text.
+  /// The attributes of an object that are a single number or text, as text, in ascending order of their names.
   std::vector<std::pair<std::string, std::string>> attributes(const std::string& object) const;
 
-  /// A text attribute, or `otherwise` where there is none.
+  /// A text attribute, or `otherwise` if it does not exist.
   std::string text_or(const std::string& object, const std::string& attribute, const std::string& otherwise) const;
 
-  /// Paths of the groups that lie in the file itself, not behind links, each before those in it.
+  /// The paths of the groups in the file itself, not behind links. A group precedes the groups in it.
   std::vector<std::string> groups() const;
 
-  /// Names of the objects in a group, ascending.
+  /// The names of the objects in a group, ascending.
   std::vector<std::string> names_in(const std::string& group) const;
 
  private:

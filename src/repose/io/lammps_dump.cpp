@@ -25,13 +25,13 @@ constexpr Name names[] = {
     {"base", GrainColumn::base},
 };
 
-/// Ways to give a position, the best first; scaled ones are shares of the box.
-struct Places {
+/// The columns of a position, the most exact first. Scaled positions are fractions of the box.
+struct Position {
   const char* x;
   const char* y;
   bool scaled;
 };
-constexpr Places places[] = {{"x", "y", false}, {"xu", "yu", false}, {"xs", "ys", true}, {"xsu", "ysu", true}};
+constexpr Position positions[] = {{"x", "y", false}, {"xu", "yu", false}, {"xs", "ys", true}, {"xsu", "ysu", true}};
 
 void split(std::string_view line, std::vector<std::string_view>& cells) {
   constexpr const char* blanks = " \t\r";
@@ -43,7 +43,7 @@ void split(std::string_view line, std::vector<std::string_view>& cells) {
   }
 }
 
-/// Goes through a dump item by item.
+/// Reads a dump item by item.
 class Dump {
  public:
   Dump(std::istream& file, FileProblems& problems, std::int64_t wanted)
@@ -56,7 +56,7 @@ class Dump {
       problems_.stop(line_, "the file ends in the middle of a snapshot");
     if (!start_) problems_.stop(line_, fmt::format("no snapshot of step {}; the last is of step {}", wanted_, step_));
     file_.clear();
-    file_.seekg(start_->place);
+    file_.seekg(start_->position);
     line_ = start_->line;
     started_ = false;
     while (!grains_ && next()) read_item(true);
@@ -136,40 +136,40 @@ class Dump {
   void begin_grains() {
     const std::vector<std::string> given(cells_.begin() + 2, cells_.end());
     const auto has = [&](const char* name) { return std::find(given.begin(), given.end(), name) != given.end(); };
-    const auto* place =
-        std::find_if(std::begin(places), std::end(places), [&](const auto& p) { return has(p.x) && has(p.y); });
-    if (place == std::end(places) || (!has("radius") && !has("diameter"))) {
+    const auto* position =
+        std::find_if(std::begin(positions), std::end(positions), [&](const auto& p) { return has(p.x) && has(p.y); });
+    if (position == std::end(positions) || (!has("radius") && !has("diameter"))) {
       problems_.stop(line_, "must have the columns x y (or xu yu, xs ys, xsu ysu) and radius or diameter");
     }
-    if (place->scaled && tilted_) problems_.stop(line_, "scaled positions in a tilted box: dump x y or xu yu");
+    if (position->scaled && tilted_) problems_.stop(line_, "scaled positions in a tilted box: dump x y or xu yu");
     std::vector<GrainColumn> columns;
     for (const auto& name : given) {
-      auto column = GrainColumn::none;  // of use to others
-      if (name == place->x) column = GrainColumn::x;
-      if (name == place->y) column = GrainColumn::y;
+      auto column = GrainColumn::none;  // a column for other programs
+      if (name == position->x) column = GrainColumn::x;
+      if (name == position->y) column = GrainColumn::y;
       for (const auto& known : names) {
         if (name == known.name) column = known.column;
       }
       if (column == GrainColumn::diameter && has("radius")) column = GrainColumn::none;
       columns.push_back(column);
     }
-    grains_.emplace(problems_, columns, given, place->scaled ? box_ : std::array<Scaling, 2>{});
+    grains_.emplace(problems_, columns, given, position->scaled ? box_ : std::array<Scaling, 2>{});
   }
 
   struct Start {
-    std::istream::pos_type place;
+    std::istream::pos_type position;
     std::size_t line;
   };
 
   std::istream& file_;
   FileProblems& problems_;
-  std::istream::pos_type before_;  // of the present line
+  std::istream::pos_type before_;  // start of the current line
   std::string text_;
-  std::vector<std::string_view> cells_;  // of it
+  std::vector<std::string_view> cells_;  // of the current line
   std::size_t line_ = 0;
   std::int64_t wanted_;
-  std::int64_t step_ = 0;       // of the latest snapshot
-  std::optional<Start> start_;  // of the wanted one
+  std::int64_t step_ = 0;       // step of the latest snapshot
+  std::optional<Start> start_;  // start of the wanted snapshot
   bool started_ = false;
   bool complete_ = false;
   std::optional<std::int64_t> count_;

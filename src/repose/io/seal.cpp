@@ -17,16 +17,16 @@ namespace {
 
 constexpr std::string_view first_line = "repose sealed file\n";
 
-/// The seal that the content of a file asks for; "" if it cannot be read.
-std::string wanted_seal(std::istream& file) {
+/// The seal for the content of a file; "" if it cannot be read.
+std::string seal_for(std::istream& file) {
   file.seekg(seal_size);
   Hash hash;
   std::size_t length = seal_size;
-  std::vector<char> piece(1U << 20);
+  std::vector<char> buffer(1U << 20);
   while (file) {
-    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
     const auto size = static_cast<std::size_t>(file.gcount());
-    hash.add(piece.data(), size);
+    hash.add(buffer.data(), size);
     length += size;
   }
   if (file.bad()) return "";
@@ -40,7 +40,7 @@ std::string wanted_seal(std::istream& file) {
 
 void seal(const std::string& path) {
   std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
-  const auto text = wanted_seal(file);
+  const auto text = seal_for(file);
   file.seekp(0);
   file.write(text.data(), static_cast<std::streamsize>(text.size()));
   file.close();
@@ -61,7 +61,7 @@ std::string broken_seal(const std::string& path) {
   file.read(found.data(), static_cast<std::streamsize>(found.size()));
   if (static_cast<std::size_t>(file.gcount()) < seal_size) return "damaged: too short";
   if (!found.starts_with(first_line)) return "damaged, or not written by this version of Repose";
-  const auto wanted = wanted_seal(file);
+  const auto wanted = seal_for(file);
   if (wanted == found) return "";
   const auto length = [](const std::string& text) { return text.substr(0, text.find("xxh3")); };
   return length(wanted) == length(found) ? "damaged: its content is not what was written"

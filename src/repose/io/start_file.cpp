@@ -22,7 +22,7 @@ StartState read_run(const std::string& path) {
   const Hdf5Reader file(path);
   if (file.text("/", "format") != "repose-run") throw InputError(fmt::format("{}: is not the run.h5 of a run", path));
   if (file.text("/", "status") == "failed") {
-    throw InputError(fmt::format("{}: that run failed: its last state is not to be trusted", path));
+    throw InputError(fmt::format("{}: that run failed, so its last state cannot be trusted", path));
   }
   StartState state;
   const auto grains = read_grains<2>(file);
@@ -36,7 +36,7 @@ StartState read_run(const std::string& path) {
     const bool sound = std::isfinite(magnitude(grain.position)) && std::isfinite(magnitude(grain.velocity)) &&
                        std::isfinite(spin) && grain.radius > 0.0 && grain.mass > 0.0;
     if (!sound || (k > 0 && grains.id[k] <= grains.id[k - 1])) {
-      throw InputError(fmt::format("{}: grains: what is said of grain {} makes no sense", path, grains.id[k]));
+      throw InputError(fmt::format("{}: grains: the data of grain {} are invalid", path, grains.id[k]));
     }
     state.grains.push_back({grains.id[k], grain.position, grain.velocity, spin, grain.radius, grain.mass,
                             grains.material[k], grain.fixed(), grains.base[k] != 0});
@@ -54,7 +54,7 @@ std::string start_file(const std::string& from) {
 StartState read_start(const std::string& file, std::int64_t step) {
   std::error_code error;
   if (!fs::exists(file, error)) throw InputError(fmt::format("{}: no such file", file));
-  if (!fs::is_regular_file(file, error)) throw InputError(fmt::format("{}: is no regular file", file));
+  if (!fs::is_regular_file(file, error)) throw InputError(fmt::format("{}: is not a regular file", file));
   if (fs::path(file).extension() == ".h5") {
     if (step != last_snapshot) throw InputError(fmt::format("{}: is a run: it has no snapshot of step {}", file, step));
     return read_run(file);

@@ -10,19 +10,19 @@
 
 namespace repose {
 
-/// What a run can start from: the grains of a file, or the end of another run.
+/// The state at the start of a run: the grains of a file, or the last state of another run.
 struct StartState {
-  std::vector<GrainRow> grains;    ///< of a run by ascending id, which they keep
-  Contacts<2> contacts;            ///< of a run
-  std::vector<std::string> walls;  ///< names of the walls of a run, by number
-  std::string scene;               ///< of a run, its text
+  std::vector<GrainRow> grains;    ///< of a run: by ascending id, and they keep their ids
+  Contacts<2> contacts;            ///< of a run only
+  std::vector<std::string> walls;  ///< of a run only: names of its walls, by number
+  std::string scene;               ///< of a run only: the text of its scene
 };
 
-/// The file that `from` means: run.h5 of a run folder, or itself.
+/// The file for `from`: run.h5 if it is a run folder, otherwise itself.
 std::string start_file(const std::string& from);
 
-/// Reads a run.h5, or a file of grains, by the ending of its name; of a dump the snapshot of this step. Throws
-/// InputError, one line for each problem.
+/// Reads a run (a name that ends in .h5) or a file of grains; of a dump, the snapshot of this step. Throws InputError,
+/// one line per problem.
 StartState read_start(const std::string& file, std::int64_t step);
 
 }  // namespace repose

@@ -14,9 +14,9 @@ namespace repose {
 
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "the files say so");
+static_assert(std::endian::native == std::endian::little, "the files are declared little-endian");
 
-/// The data behind the XML: each block with its size before it. It only points to the arrays, which must outlive it.
+/// The data after the XML: blocks, each preceded by its size. It holds references to the arrays, which must outlive it.
 class Appended {
  public:
   template <class T>
@@ -63,7 +63,7 @@ std::string arrays_text(const char* element, const std::vector<VtkArray>& arrays
   return text + fmt::format("</{}>\n", element);
 }
 
-/// Offsets of cells of `points_each` points: where each ends in the list of its points.
+/// The offsets of cells with `points_each` points: the end of each cell in the list of points.
 std::vector<std::int64_t> ends(std::size_t cells, std::int64_t points_each) {
   std::vector<std::int64_t> offsets(cells);
   std::iota(offsets.begin(), offsets.end(), 1);

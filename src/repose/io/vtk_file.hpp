@@ -10,7 +10,7 @@
 
 namespace repose {
 
-/// A named array of VTK, of some components per point or cell.
+/// A named VTK array with a number of components per point or cell.
 struct VtkArray {
   std::string name;
   std::size_t components = 1;
@@ -20,17 +20,17 @@ struct VtkArray {
 /// Points, and cells of one kind: a vertex for each point, or lines between two points.
 struct VtkPolyData {
   std::vector<double> points;       ///< (n, 3)
-  std::vector<std::int64_t> lines;  ///< (cells, 2) points; empty: vertices
+  std::vector<std::int64_t> lines;  ///< (cells, 2) indices of points; empty: vertices
   bool vertices = true;
   std::vector<VtkArray> point_data;
   std::vector<VtkArray> cell_data;
 };
 
-/// Writes a .vtp file: XML with appended raw data, little-endian. A writer of our own, for VTK's library is a hundred
-/// times as large as Repose. Throws RunError.
+/// Writes a .vtp file: XML with appended raw data, little-endian. Repose has its own writer because the VTK library is
+/// a hundred times as large as Repose. Throws RunError.
 void write_vtp(const std::string& path, const VtkPolyData& data);
 
-/// Writes a .pvd file: the time of each file of a series. Throws RunError.
+/// Writes a .pvd file, which lists the files of a time series with their times. Throws RunError.
 void write_pvd(const std::string& path, const std::vector<std::pair<double, std::string>>& files);
 
 }  // namespace repose

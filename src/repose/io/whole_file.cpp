@@ -71,21 +71,21 @@ void WholeFile::fail() {
   throw RunError(fmt::format("{}: cannot write: {}", path_, std::strerror(error)));
 }
 
-void WholeFile::pass_on() {
+void WholeFile::write_buffer() {
   errno = 0;
-  file_.write(ahead_.data(), static_cast<std::streamsize>(ahead_.size()));
+  file_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
   if (!file_) fail();
-  ahead_.clear();
+  buffer_.clear();
 }
 
 void WholeFile::write(std::string_view bytes) {
-  pass_on();
+  write_buffer();
   file_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (!file_) fail();
 }
 
 void WholeFile::commit() {
-  pass_on();
+  write_buffer();
   file_.close();
   if (!file_) {
     const int error = errno != 0 ? errno : EIO;

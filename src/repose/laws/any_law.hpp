@@ -10,8 +10,8 @@
 
 namespace repose {
 
-// A law of each kind chosen at run time, with the interface of a law: what runs every combination that has no kernel of
-// its own, and is the reference for those that have.
+// Laws chosen at run time, one of each kind, with the interface of a law. They run every combination that has no kernel
+// of its own, and are the reference for those that have one.
 
 struct AnyNormal {
   NormalLaw law;
@@ -33,8 +33,8 @@ struct AnyTangential {
 template <class Tangential>
 REPOSE_FN Tangential tangential_force(const AnyTangential& chosen, const Touch<double>& touch,
                                       const NormalForce<double>& normal, const Tangential& slip_velocity, double dt,
-                                      Tangential& delta) {
-  return std::visit([&](const auto& law) { return tangential_force(law, touch, normal, slip_velocity, dt, delta); },
+                                      Tangential& slip) {
+  return std::visit([&](const auto& law) { return tangential_force(law, touch, normal, slip_velocity, dt, slip); },
                     chosen.law);
 }
 REPOSE_FN double coulomb_limit(const AnyTangential& chosen, const NormalForce<double>& normal) {
@@ -43,8 +43,8 @@ REPOSE_FN double coulomb_limit(const AnyTangential& chosen, const NormalForce<do
 
 template <class Tangential>
 double stored_energy(const AnyTangential& chosen, const Touch<double>& touch, const NormalForce<double>& normal,
-                     const Tangential& delta) {
-  return std::visit([&](const auto& law) { return stored_energy(law, touch, normal, delta); }, chosen.law);
+                     const Tangential& slip) {
+  return std::visit([&](const auto& law) { return stored_energy(law, touch, normal, slip); }, chosen.law);
 }
 
 struct AnyRolling {
@@ -53,15 +53,15 @@ struct AnyRolling {
 template <class Tangential>
 REPOSE_FN Tangential rolling_force(const AnyRolling& chosen, const Touch<double>& touch,
                                    const NormalForce<double>& normal, const Tangential& roll_velocity, double dt,
-                                   Tangential& displacement) {
-  return std::visit([&](const auto& law) { return rolling_force(law, touch, normal, roll_velocity, dt, displacement); },
+                                   Tangential& roll) {
+  return std::visit([&](const auto& law) { return rolling_force(law, touch, normal, roll_velocity, dt, roll); },
                     chosen.law);
 }
 
 template <class Tangential>
 double stored_energy(const AnyRolling& chosen, const Touch<double>& touch, const NormalForce<double>& normal,
-                     const Tangential& displacement) {
-  return std::visit([&](const auto& law) { return stored_energy(law, touch, normal, displacement); }, chosen.law);
+                     const Tangential& roll) {
+  return std::visit([&](const auto& law) { return stored_energy(law, touch, normal, roll); }, chosen.law);
 }
 
 struct AnyCohesion {
@@ -77,7 +77,7 @@ inline double cohesion_energy(const AnyCohesion& chosen, const Touch<double>& to
 
 using AnyPairLaw = PairLaw<AnyNormal, AnyTangential, AnyRolling, AnyCohesion>;
 
-/// Energy [M L^2/T^2] that the normal force and cohesion of a touching pair have stored.
+/// Energy [M L^2/T^2] stored by the normal force and the cohesion of a pair in reach.
 inline double elastic_energy(const AnyPairLaw& law, const Touch<double>& touch) {
   return elastic_energy(law.normal, touch.mass, touch.diameter, touch.distance) + cohesion_energy(law.cohesion, touch);
 }

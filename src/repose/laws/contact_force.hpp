@@ -11,21 +11,21 @@ namespace repose {
 template <class Tangential>
 struct ContactForce {
   NormalForce<double> normal;  ///< without cohesion
-  double attraction = 0.0;     ///< [M L/T^2] of cohesion, to be taken off the normal force
+  double attraction = 0.0;     ///< [M L/T^2] cohesive force, >= 0, to be subtracted from the normal force
   Tangential tangential{};     ///< [M L/T^2]
-  Tangential rolling{};        ///< [M L/T^2] rolling torque over the roll radius; the second grain feels the opposite
+  Tangential rolling{};        ///< [M L/T^2] rolling torque divided by the roll radius; opposite on the second grain
 };
 
-/// What a contact remembers [L]: displacements in its tangent plane.
+/// The displacements [L] in its tangent plane that a contact accumulates.
 template <class Tangential>
 struct ContactHistory {
-  Tangential slip{};
-  Tangential roll{};
+  Tangential slip{};  ///< slip displacement
+  Tangential roll{};  ///< rolling displacement
 };
 
-/// All laws of a touching pair; its history goes forward by dt. The roll velocity is the roll radius times the
-/// difference of the angular velocities, first less second. Friction and rolling resistance follow the force that
-/// presses the grains together, which cohesion does not lessen.
+/// Evaluates all laws of a pair in reach, and advances its history by dt. The roll velocity is the roll radius times
+/// the angular velocity of the first grain minus that of the second. Friction and rolling resistance depend on the
+/// normal force without cohesion.
 template <class Law, class Tangential>
 REPOSE_FN ContactForce<Tangential> contact_force(const Law& law, const Touch<double>& touch,
                                                  const Tangential& slip_velocity, const Tangential& roll_velocity,

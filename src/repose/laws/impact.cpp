@@ -12,10 +12,10 @@ namespace {
 
 constexpr double most_damping = 20.0;
 
-/// Closing distance and speed of a pair.
+/// The state of a pair on the line of its centres.
 struct Approach {
-  double distance;
-  double speed;
+  double distance;  // [L]
+  double speed;     // [L/T] closing speed
 };
 
 Approach operator+(const Approach& a, const Approach& b) { return {a.distance + b.distance, a.speed + b.speed}; }
@@ -36,7 +36,7 @@ Impact head_on(const AnyNormal& law, const ImpactConditions& c) {
   const double energy = 0.5 * c.reduced_mass * c.speed * c.speed;
   const double stiffness =
       std::visit([&](const auto& one) { return stiffness_at(one, c.mass, c.diameter, energy); }, law.law);
-  constexpr double phase = 2e-3;  // of the stiffest moment, per step of the fourth order
+  constexpr double phase = 2e-3;  // frequency at the stiffest moment times the step of the fourth-order integrator
   const double step = phase * std::sqrt(c.reduced_mass / stiffness);
   constexpr long most_steps = 4'000'000;
   Impact impact;
@@ -64,7 +64,7 @@ NormalLaw with_restitution(const NormalLaw& law, double mass, double diameter) {
         if constexpr (std::decay_t<decltype(made)>::restitution_depends_on_speed) {
           conditions.speed = made.impact_speed;
         } else {
-          // Of an impact that is neither too deep nor too shallow for the arithmetic.
+          // Restitution does not depend on the speed: any impact will do that is neither too deep nor too shallow.
           conditions.speed = 0.1 * std::sqrt(stiffness_at(made, mass, diameter, 1e-4) * diameter * diameter / mass);
         }
         const auto restitution = [&](double damping) {

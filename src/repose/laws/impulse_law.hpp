@@ -16,44 +16,48 @@
 
 namespace repose {
 
-/// What holds at a contact of rigid grains: Signorini's condition and Coulomb's law with coefficients of restitution,
-/// and rolling friction. Infinity is allowed for every coefficient of friction.
+/// The contact law of rigid grains: Signorini's condition and Coulomb's law with coefficients of restitution, and
+/// rolling friction. Every coefficient of friction may be infinite.
 /// Source: Bratberg (2003), 4.6-4.8 and paper one, Eq. 6, as corrected in docs/physics/contact_dynamics.md.
 struct ImpulseLaw {
-  double restitution = 0.0;             ///< normal velocity after over before, 0 to 1
-  double tangential_restitution = 0.0;  ///< the same of the tangential velocity, -1 to 1
-  double friction = 0.0;                ///< tangential over normal impulse at most, >= 0
-  double rolling_friction = 0.0;        ///< tan(theta_r): torque over normal impulse and roll radius at most, >= 0
-  double dynamic_friction = 0.0;        ///< what friction falls to at `weakening_velocity`, 0 to `friction`
-  double weakening_velocity = 0.0;      ///< [L/T] slip at which all weakening is done; 0: friction does not weaken
+  double restitution = 0.0;             ///< normal velocity after divided by that before, 0 to 1
+  double tangential_restitution = 0.0;  ///< tangential velocity after divided by that before, -1 to 1
+  double friction = 0.0;                ///< largest ratio of tangential to normal impulse, >= 0
+  double rolling_friction = 0.0;        ///< tan(theta_r): largest ratio of torque to normal impulse times roll radius
+  double dynamic_friction = 0.0;        ///< friction at slip speeds above `weakening_velocity`, 0 to `friction`
+  double weakening_velocity = 0.0;      ///< [L/T] slip speed at which weakening is complete; 0: no weakening
 };
 
-/// Coefficient of friction at this slip [L/T] of the previous step: falls linearly, then stays.
-inline double friction_at(const ImpulseLaw& law, double slip) {
+/// The coefficient of friction at this slip speed [L/T] of the previous step: it decreases linearly up to
+/// `weakening_velocity` and is constant beyond.
+inline double friction_at(const ImpulseLaw& law, double slip_speed) {
   if (!(law.weakening_velocity > 0.0)) return law.friction;
-  const double left = std::max(0.0, 1.0 - std::fabs(slip) / law.weakening_velocity);
+  const double left = std::max(0.0, 1.0 - std::fabs(slip_speed) / law.weakening_velocity);
   return law.dynamic_friction + (law.friction - law.dynamic_friction) * left;
 }
 
-/// Rolling friction with which a grain that does not slide stays on another up to this angle [deg] off upright.
+/// The rolling friction that holds a non-sliding grain on another up to this angle [deg] of their centre line from the
+/// vertical.
 inline double rolling_friction_of(double critical_angle) {
   if (critical_angle >= 90.0) return std::numeric_limits<double>::infinity();
   return std::tan(critical_angle * std::numbers::pi / 180.0);
 }
 
-/// Friction may carry this much under a normal impulse; nothing where there is none, be the coefficient infinite.
+/// The largest frictional impulse under this normal impulse; 0 without a normal impulse, even if the coefficient is
+/// infinite.
 REPOSE_FN double friction_limit(double coefficient, double normal_impulse) {
   return normal_impulse > 0.0 ? coefficient * normal_impulse : 0.0;
 }
 
-/// The nearest impulse that friction may carry.
+/// The nearest impulse of at most `limit`.
 REPOSE_FN double project(double impulse, double limit) { return std::min(std::max(impulse, -limit), limit); }
 REPOSE_FN Vec<3> project(const Vec<3>& impulse, double limit) {
   const double size = magnitude(impulse);
   return size > limit ? impulse * (limit / size) : impulse;
 }
 
-/// The part of a change after which friction carries no more than it may; exact where it stays within the limit.
+/// The change, reduced so that the impulse after it is at most `limit`. If it stays within the limit, it is returned to
+/// the bit.
 REPOSE_FN double change_within(double impulse, double change, double limit) {
   return std::min(std::max(change, -limit - impulse), limit - impulse);
 }
@@ -63,7 +67,7 @@ REPOSE_FN Vec<3> change_within(const Vec<3>& impulse, const Vec<3>& change, doub
   return size > limit ? sum * (limit / size) - impulse : change;
 }
 
-/// The law of every two materials.
+/// The impulse law of every pair of materials.
 class ImpulseLaws {
  public:
   explicit ImpulseLaws(const ImpulseLaw& only) : laws_{only} {}

@@ -10,7 +10,7 @@
 
 namespace repose {
 
-/// The pair law of every two materials.
+/// The pair law of every pair of materials.
 template <class Law>
 class MaterialTable {
  public:

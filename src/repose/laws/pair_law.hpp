@@ -9,7 +9,7 @@
 
 namespace repose {
 
-/// The laws that act together in one contact, compiled into one kernel.
+/// The laws that act together in one contact. Each combination of types compiles to one kernel.
 template <class Normal, class Tangential, class Rolling = FreeRolling, class Cohesion = NoCohesion>
 struct PairLaw {
   Normal normal{};
@@ -17,7 +17,7 @@ struct PairLaw {
   Rolling rolling{};
   Cohesion cohesion{};
 
-  /// Whether contacts resist rolling: then each keeps a rolling displacement beside its tangential one.
+  /// Whether contacts resist rolling. If so, each keeps a rolling displacement beside its slip displacement.
   static constexpr bool rolls = !std::is_same_v<Rolling, FreeRolling>;
 };
 template <class Normal, class Tangential>

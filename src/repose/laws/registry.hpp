@@ -22,7 +22,7 @@
 
 namespace repose {
 
-/// Every law by kind: a new law is its header and one entry here.
+/// Every law, by kind. A new law needs its header and one entry here.
 using NormalLaw = std::variant<Continuous, Hooke, Hertz>;
 using TangentialLaw = std::variant<Cumulative, Linear, Mindlin, Viscous, None>;
 using RollingLaw = std::variant<FreeRolling, RollingSpring>;
@@ -36,7 +36,7 @@ struct ContactLaws {
   CohesionLaw cohesion;
 };
 
-/// The laws of every two materials: a symmetric table, entry a * materials + b.
+/// The laws of every pair of materials: a symmetric table with the entry of a and b at a * materials + b.
 struct MaterialLaws {
   std::size_t materials = 1;
   std::vector<ContactLaws> table;

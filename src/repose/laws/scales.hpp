@@ -4,11 +4,11 @@
 
 namespace repose {
 
-/// What the defaults of laws are made from.
+/// The scales of a scene, from which laws set their defaults.
 struct LawScales {
   double gravity = 1.0;   ///< [L/T^2]
-  double weight = 1.0;    ///< [M L/T^2] of a grain; 1 without gravity
-  double diameter = 1.0;  ///< [L] of a grain
+  double weight = 1.0;    ///< [M L/T^2] weight of a grain; 1 without gravity
+  double diameter = 1.0;  ///< [L] diameter of a grain
   double friction = 0.5;  ///< Coulomb coefficient of the pair
 };
 

@@ -12,27 +12,27 @@ namespace repose {
 
 namespace {
 
-/// Stiffness [M/T^2] and dashpot [M/T] of something that is pushed and moved.
+/// The linear response of a contact to a displacement and a velocity.
 struct Response {
-  double stiffness;
-  double dashpot;
+  double stiffness;  // [M/T^2]
+  double dashpot;    // [M/T]
 };
 
-/// Of the contact along the normal, at rest at this touch.
+/// The response along the normal, at rest at this touch.
 Response normal_response(const AnyNormal& law, Touch<double> touch) {
   const auto rest = normal_force(law, touch);
   touch.closing_speed = 1e-6;
   return {rest.stiffness, (normal_force(law, touch).total - rest.total) / touch.closing_speed};
 }
 
-/// Of its surface, from a displacement and a speed too small to slide.
+/// The response along the tangent, from a displacement and a velocity too small to slide.
 Response surface_response(const AnyTangential& law, const Touch<double>& touch, const NormalForce<double>& normal) {
   const double small = 1e-9 * touch.diameter;
   const double speed = 1e-9;
   double displaced = small;
-  double fresh = 0.0;
+  double undisplaced = 0.0;
   return {-tangential_force(law, touch, normal, 0.0, 0.0, displaced) / small,
-          -tangential_force(law, touch, normal, speed, 0.0, fresh) / speed};
+          -tangential_force(law, touch, normal, speed, 0.0, undisplaced) / speed};
 }
 
 double largest_stable_step(const Response& mode) {

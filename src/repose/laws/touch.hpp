@@ -9,7 +9,7 @@
 
 namespace repose {
 
-/// What a force law may know of a touching pair; a law never sees the grains. Signs: overlap > 0 touching,
+/// The geometry and motion of a pair, which is all that a force law sees of it. Signs: overlap > 0 touching,
 /// closing_speed > 0 approaching.
 template <class T>
 struct Touch {
@@ -17,15 +17,15 @@ struct Touch {
   T inverse_distance;  ///< [1/L]
   T diameter;          ///< [L] mean of the two diameters: the distance at which rigid grains would touch
   T overlap;           ///< [L] diameter - distance
-  T engagement;        ///< [L] cutoff distance - distance, > 0: how deep the pair is in the reach of the normal law
+  T engagement;        ///< [L] cutoff distance - distance, > 0: depth of the pair within the reach of the normal law
   T closing_speed;     ///< [L/T]
-  T mass;              ///< [M] 2 m_i m_j / (m_i + m_j): the mass of either for equal grains, of nominal masses
-  T reduced_mass;      ///< [M] that truly moves in an impact: of a fixed partner the mass is infinite
-  T roll_radius;       ///< [L] 2 R_i R_j / (R_i + R_j): the radius of either for equal grains
+  T mass;              ///< [M] 2 m_i m_j / (m_i + m_j) of the nominal masses; for equal grains, the mass of one
+  T reduced_mass;      ///< [M] m_i m_j / (m_i + m_j), where a fixed partner has infinite mass
+  T roll_radius;       ///< [L] 2 R_i R_j / (R_i + R_j); for equal grains, the radius of one
 };
 
-/// A touch from its independent numbers; `within` [L] is the distance below which the normal law acts. Where nothing
-/// else is said, both grains can move and are of one size.
+/// A touch from its independent numbers; `within` [L] is the distance below which the normal law acts. Without the last
+/// two numbers, both grains are free and of one size.
 template <class T>
 REPOSE_FN Touch<T> make_touch(T distance, T inverse_distance, T diameter, T within, T closing_speed, T mass,
                               T reduced_mass, T roll_radius) {
@@ -38,11 +38,11 @@ REPOSE_FN Touch<T> make_touch(T distance, T inverse_distance, T diameter, T with
                     T(0.5) * diameter);
 }
 
-/// A normal force in its parts.
+/// A normal force and its parts.
 template <class T>
 struct NormalForce {
-  T elastic;      ///< [M L/T^2] >= 0, function of the distance alone
-  T total;        ///< [M L/T^2] with damping; positive pushes apart
+  T elastic;      ///< [M L/T^2] >= 0, a function of the distance alone
+  T total;        ///< [M L/T^2] with damping; positive pushes the grains apart
   T stiffness{};  ///< [M/T^2] -d(elastic)/d(distance)
 };
 
@@ -56,7 +56,7 @@ REPOSE_FN T positive_part(T a) {
   return choose(a > T(0), a, T(0));
 }
 
-/// Whether the dashpot may pull: real dry grains do not attract, so the default cuts the total force at zero.
+/// The total force, set to zero if it is negative and `attraction` is off: dry grains do not attract each other.
 template <class T>
 REPOSE_FN T without_attraction(bool attraction, T force) {
   return std::max(force, attraction ? -std::numeric_limits<T>::infinity() : T(0));

@@ -9,15 +9,22 @@
 #include "repose/core/grains.hpp"
 #include "repose/core/solver_account.hpp"
 #include "repose/core/team.hpp"
+#include "repose/methods/time_steps.hpp"
 
 #include <cstdint>
 #include <vector>
 
 namespace repose {
 
+namespace contact_dynamics {
+template <int D>
+struct Problem;
+}
+
 /// What an advance did.
 struct StepReport {
-  long steps = 0;        ///< steps taken
+  double time = 0.0;     ///< [T] reached
+  long steps = 0;        ///< steps taken, or events
   bool trouble = false;  ///< a grain became too fast to follow, or not a number: the state is not to be trusted
 };
 
@@ -28,59 +35,75 @@ struct Load {
   Vec<D> force{};          ///< [M L/T^2]
 };
 
-/// A way to move the grains, as the Simulation sees it.
+/// A method that moves the grains, as the Simulation sees it. What a method must do comes first; what only some do has
+/// an empty default.
 template <int D>
 class Method {
  public:
   virtual ~Method() = default;
 
-  /// Takes up to `steps` steps; fewer only in trouble.
-  virtual StepReport advance(Grains<D>& grains, long steps, Team& team) = 0;
+  /// How it divides time.
+  virtual TimeSteps time_steps() const = 0;
 
-  /// To be told when grains were added at the end of the arrays.
+  /// Of the present state [T].
+  virtual double time() const = 0;
+
+  /// Brings the grains to a time, or as near to it as equal steps come. Where steps vary it may return before that, so
+  /// that no call takes much longer than a second. The state does not depend on the times between which calls divide a
+  /// run.
+  virtual StepReport advance(Grains<D>& grains, double until, Team& team) = 0;
+
+  /// Called after grains were added at the end of the arrays.
   virtual void grains_added(Grains<D>& grains) = 0;
 
-  /// Brings what the method knows of the grains up to date now: grains that have left the box are dropped.
+  /// Brings what the method knows of the grains up to date: grains that have left the box are dropped.
   virtual void refresh(Grains<D>& grains, Team& team) = 0;
-
-  /// Contacts of the present state, ordered by ids.
-  virtual Contacts<D> contacts(const Grains<D>& grains) const = 0;
-
-  virtual double time_step() const = 0;
-
-  /// The outer forces from now on; the list may only grow, and a load that ends becomes zero.
-  virtual void set_loads(const std::vector<Load<D>>& loads) = 0;
-
-  /// Gives contacts the displacements that they remember from elsewhere, as `contacts` reports them, pairs by ids. To
-  /// be called at the start, after a refresh.
-  virtual void set_histories(const Grains<D>& grains, const Contacts<D>& contacts) = 0;
-
-  /// Where the walls are now.
-  virtual const std::vector<WallState>& walls() const = 0;
-
-  /// Impulse of the grains on each wall [M L/T] since this was last called.
-  virtual std::vector<Vec<D>> taken_wall_impulses() = 0;
-
-  /// What its solver did since this was last called; nothing of a method without one.
-  virtual SolverAccount taken_solver_account() { return {}; }
 
   /// All that the method knows besides its settings, for a checkpoint.
   virtual void exchange(Archive& archive) = 0;
 
-  /// To be told when grains and method have been restored: the next step is that which would have been the next.
-  virtual void restored(const Grains<D>& grains, const Team& team) = 0;
+  /// Called after grains and method have been restored: the next step is that which would have been the next.
+  virtual void restored(const Grains<D>& /*grains*/, const Team& /*team*/) {}
 
-  /// Grains that the method itself has put there, for one that forms a packing grain by grain.
+  /// Contacts of the present state, ordered by ids.
+  virtual Contacts<D> contacts(const Grains<D>& /*grains*/) const { return {}; }
+
+  /// Gives contacts the slip displacements that they have elsewhere, as `contacts` reports them, pairs by ids. Called
+  /// at the start, after a refresh.
+  virtual void set_histories(const Grains<D>& /*grains*/, const Contacts<D>& /*contacts*/) {}
+
+  /// The outer forces from now on; the list may only grow, and a load that ends becomes zero.
+  virtual void set_loads(const std::vector<Load<D>>& /*loads*/) {}
+
+  /// Where the walls are now.
+  virtual const std::vector<WallState>& walls() const {
+    static const std::vector<WallState> none;
+    return none;
+  }
+
+  /// Impulse of the grains on each wall [M L/T] since the last call.
+  virtual std::vector<Vec<D>> take_wall_impulses() { return std::vector<Vec<D>>(walls().size()); }
+
+  /// What the solver did since the last call; nothing for a method without a solver.
+  virtual SolverAccount take_solver_account() { return {}; }
+
+  /// The contact problem of the step that begins at a time [T], which is that of the grains, unsolved: contacts start
+  /// from what `set_histories` gave them. Null for a method that poses none.
+  virtual const contact_dynamics::Problem<D>* problem_at(double /*time*/, Grains<D>& /*grains*/, Team& /*team*/) {
+    return nullptr;
+  }
+
+  /// The account of the energy half a step ago; empty unless the method keeps one.
+  virtual Energy energy(const Grains<D>& /*grains*/) const { return {}; }
+
+  /// Grains that the method itself has made, for one that forms a packing grain by grain.
   virtual std::int64_t made() const { return 0; }
 
   /// Whether there is nothing more for the method to do.
   virtual bool complete() const { return false; }
 
-  /// Grains that one step moves, of so many that can move.
+  /// Grains that one step moves, out of so many that can move.
   virtual double grains_per_step(std::size_t moving) const { return static_cast<double>(moving); }
-
-  /// The account of the energy half a step ago; empty unless the method keeps one.
-  virtual Energy energy(const Grains<D>& grains) const = 0;
 };
 
 }  // namespace repose

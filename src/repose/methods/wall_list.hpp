@@ -14,36 +14,36 @@
 
 namespace repose {
 
-/// A grain and a wall that may touch before the list is next built.
+/// A grain and a wall that may touch before the next build of the list.
 template <int D>
 struct WallPair {
   std::uint32_t wall = 0;
-  Tangent<D> slip{};     ///< [L] history, zero when apart
-  Tangent<D> roll{};     ///< [L]
-  Vec<D> force{};        ///< [M L/T^2] on the grain in the last step
-  Vec<D> dissipative{};  ///< [M L/T^2] of that, by dashpot and friction; kept by a full kernel
-  Vec<D> impulse{};      ///< [M L/T] on the grain since it was last taken up
+  Tangent<D> slip{};     ///< [L] slip displacement, zero while apart
+  Tangent<D> roll{};     ///< [L] rolling displacement, zero while apart
+  Vec<D> force{};        ///< [M L/T^2] force on the grain in the last step
+  Vec<D> dissipative{};  ///< [M L/T^2] part of it by dashpot and friction; in a full kernel only
+  Vec<D> impulse{};      ///< [M L/T] impulse on the grain since it was last collected
 };
 
-/// Pairs of grains and walls, for each grain in memory order: built with the pair list and valid as long.
+/// Pairs of grains and walls, for each grain in memory order. The list is built with the pair list and valid as long.
 template <int D>
 class WallList {
  public:
   std::vector<std::uint32_t> row_start;  ///< (n + 1); empty without walls
   std::vector<WallPair<D>> pairs;
-  std::vector<std::vector<std::uint32_t>> of_wall;  ///< places in `pairs`, ascending, for each wall
+  std::vector<std::vector<std::uint32_t>> of_wall;  ///< for each wall, indices in `pairs`, ascending
 
   explicit WallList(std::size_t walls) : of_wall(walls) {}
 
   bool any() const { return !row_start.empty(); }
 
-  /// Lists anew. `order` says where each grain was when the list was last built; `cutoff` is the longest reach of a
-  /// normal law; a wall may go half a skin before the next build, as a grain may.
+  /// Builds the list. `order` has the index of each grain at the last build; `cutoff` is the longest reach of a normal
+  /// law. A wall may move by half a skin before the next build, as a grain may.
   void build(const Grains<D>& grains, const std::vector<std::uint32_t>& order, const std::vector<Wall<D>>& walls,
              const std::vector<WallNow<D>>& now, const Box<D>& box, const PairList<D>& list, double cutoff,
              double skin) {
     if (walls.empty()) return;
-    take_impulses(walls.size());
+    gather_impulses(walls.size());
     const auto old_start = std::move(row_start);
     const auto old = std::move(pairs);
     row_start.assign(1, 0);
@@ -52,7 +52,7 @@ class WallList {
     for (std::size_t i = 0; i < grains.size(); ++i) {
       const auto& grain = grains.line[i];
       for (std::uint32_t w = 0; w < walls.size() && !grain.fixed(); ++w) {
-        if (!now[w].there) continue;
+        if (!now[w].present) continue;
         const auto& wall = walls[w];
         const Vec<D> from_point =
             wall.finite() ? separation(grain.position, now[w].point, box) : Vec<D>(grain.position - now[w].point);
@@ -77,9 +77,9 @@ class WallList {
     }
   }
 
-  /// Impulse of the grains on each wall [M L/T] since this was last called, and starts anew.
-  std::vector<Vec<D>> taken_impulses(std::size_t walls) {
-    take_impulses(walls);
+  /// Impulse of the grains on each wall [M L/T] since the last call.
+  std::vector<Vec<D>> take_impulses(std::size_t walls) {
+    gather_impulses(walls);
     return std::exchange(impulse_, std::vector<Vec<D>>(walls));
   }
 
@@ -94,7 +94,7 @@ class WallList {
     return {wall, {}, {}, {}, {}, {}};
   }
 
-  void take_impulses(std::size_t walls) {
+  void gather_impulses(std::size_t walls) {
     impulse_.resize(walls);
     for (auto& pair : pairs) {
       impulse_[pair.wall] -= pair.impulse;
@@ -102,7 +102,7 @@ class WallList {
     }
   }
 
-  std::vector<Vec<D>> impulse_;  // on each wall
+  std::vector<Vec<D>> impulse_;  // [M L/T] impulse of the grains on each wall
 };
 
 }  // namespace repose

@@ -20,7 +20,8 @@ CellGrid<D>::CellGrid(const std::vector<Vec<D>>& positions, const Box<D>& box, d
   }
   origin_ = low;
 
-  // A few grains far away must not make the grid huge: cells grow until there are at most a few per grain.
+  // A few grains far away must not make the grid huge: cells grow until their number is a small multiple of the
+  // grains'.
   const double most_cells = 16.0 * static_cast<double>(positions.size()) + 1024.0;
   for (double size = cell_size;; size *= 1.5) {
     double cells = 1.0;

@@ -13,22 +13,22 @@
 
 namespace repose {
 
-/// Square cells over the grains, numbered so that the last axis (height) runs fastest: a line of cells along it is
-/// contiguous in memory order, and three neighbouring cells of a line are one range.
+/// A grid of cells over the grains, numbered so that the last axis (height) runs fastest. So a line of cells along it
+/// is contiguous in memory order, and three neighbouring cells of a line are one range.
 template <int D>
 class CellGrid {
  public:
-  /// Cells of at least `cell_size` [L] over all positions; positions of a periodic box must be wrapped.
+  /// Covers all positions with cells of at least `cell_size` [L]. Positions in a periodic box must be wrapped.
   CellGrid(const std::vector<Vec<D>>& positions, const Box<D>& box, double cell_size);
 
-  /// Stable order by cell: entry k is the old place of the grain that comes k-th.
+  /// Stable order by cell: entry k is the old index of the grain that becomes the k-th.
   const std::vector<std::uint32_t>& order() const { return order_; }
 
   std::array<int, D> cell_of(const Vec<D>& position) const;
   int count(int axis) const { return count_[static_cast<std::size_t>(axis)]; }
   double size(int axis) const { return size_[static_cast<std::size_t>(axis)]; }
 
-  /// Places (in the new order) of the grains in cells first..last (clamped to the grid) of one line of cells.
+  /// The range of indices, in the new order, of the grains in cells first..last (clamped to the grid) of one line.
   struct Places {
     std::uint32_t begin;
     std::uint32_t end;

@@ -28,7 +28,7 @@ struct Lines {
   const int* end() const { return line.data() + count; }
 };
 
-/// Lines of cells beside the line through `cell` whose grains come later in memory, in ascending order.
+/// The neighbouring lines of cells whose grains come later in memory than those of the line through `cell`, ascending.
 template <int D>
 Lines later_lines(const CellGrid<D>& grid, const std::array<int, D>& cell, bool periodic) {
   Lines lines;
@@ -46,7 +46,7 @@ Lines later_lines(const CellGrid<D>& grid, const std::array<int, D>& cell, bool 
   return lines;
 }
 
-/// Place in the old list of the pair (i, j), both places in the old order; none if it was not listed.
+/// The index in the old list of the pair (i, j), given by indices in the old order; `none` if it was not listed.
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 std::uint32_t old_place(const std::vector<std::uint32_t>& row_start, const std::vector<std::uint32_t>& partner,
                         std::uint32_t i, std::uint32_t j) {
@@ -61,7 +61,7 @@ std::uint32_t old_place(const std::vector<std::uint32_t>& row_start, const std::
 
 }  // namespace
 
-/// Returns the largest extra way of a fast grain.
+/// Returns the largest extra allowance of a fast grain [L].
 template <int D>
 double PairList<D>::set_allowances(const Grains<D>& grains) {
   const double half_skin = 0.5 * reach_.skin;
@@ -74,13 +74,13 @@ double PairList<D>::set_allowances(const Grains<D>& grains) {
   for (std::size_t k = 0; k < grains.size(); ++k) {
     const auto& grain = grains.line[k];
     built_at_[k] = grain.position;
-    const double way = std::sqrt(dot(grain.velocity, grain.velocity)) * reach_.horizon + fall;
-    if (grain.fixed() || way <= half_skin) continue;
+    const double travel = std::sqrt(dot(grain.velocity, grain.velocity)) * reach_.horizon + fall;
+    if (grain.fixed() || travel <= half_skin) continue;
     ++fast;
-    allowance_[k] = half_skin + std::min(way, furthest);
+    allowance_[k] = half_skin + std::min(travel, furthest);
     largest = std::max(largest, allowance_[k] - half_skin);
   }
-  // Where many are fast, looking ahead for each costs more than building the list more often.
+  // If many grains are fast, a wider search for each costs more than building the list more often.
   if (fast * 8 > grains.size() && fast > 32) {
     allowance_.assign(grains.size(), half_skin);
     return 0.0;
@@ -109,7 +109,7 @@ void PairList<D>::list_row(const Grains<D>& grains, const Box<D>& box, const Gri
   }
 }
 
-/// Pairs beyond the skin that a fast grain may bring together, ascending, each once.
+/// Pairs farther apart than the skin that the motion of a fast grain may bring together, ascending, each once.
 template <int D>
 template <class Grid>
 auto PairList<D>::pairs_of_fast_grains(const Grains<D>& grains, const Box<D>& box, const Grid& grid,
@@ -135,7 +135,7 @@ auto PairList<D>::pairs_of_fast_grains(const Grains<D>& grains, const Box<D>& bo
         high[a] = grid.count(axis) - 1;
       }
     }
-    const auto look = [&](int line) {
+    const auto search_line = [&](int line) {
       const auto places = grid.places(line, low[D - 1], high[D - 1]);
       for (auto j = places.begin; j < places.end; ++j) {
         const double other = allowance_[j] - half_skin;
@@ -152,9 +152,9 @@ auto PairList<D>::pairs_of_fast_grains(const Grains<D>& grains, const Box<D>& bo
     for (int x = low[0]; x <= high[0]; ++x) {
       const int column = ((x % grid.count(0)) + grid.count(0)) % grid.count(0);
       if constexpr (D == 2) {
-        look(column);
+        search_line(column);
       } else {
-        for (int y = low[1]; y <= high[1]; ++y) look(column * grid.count(1) + y);
+        for (int y = low[1]; y <= high[1]; ++y) search_line(column * grid.count(1) + y);
       }
     }
   }
@@ -188,13 +188,13 @@ std::vector<std::uint32_t> PairList<D>::build(Grains<D>& grains, const Box<D>& b
 
   const std::vector<std::uint32_t> old_start = std::move(row_start);
   const std::vector<std::uint32_t> old_partner = std::move(partner);
-  const std::vector<Tangent<D>> old = std::move(history);
+  const std::vector<Tangent<D>> old_slip = std::move(slip);
   const std::vector<Tangent<D>> old_roll = std::move(roll);
   row_start.assign(grains.size() + 1, 0);
   const auto members = static_cast<std::size_t>(team.size());
   std::vector<std::vector<std::uint32_t>> parts(members);
   team.run([&](int member) {
-    const Range rows = share(grains.size(), member, team.size());
+    const Range rows = range_of(grains.size(), member, team.size());
     auto& row = parts[static_cast<std::size_t>(member)];
     row.reserve((rows.end - rows.begin) * 4);
     const auto by_low = [](const Extra& e, std::uint32_t i) { return e.low < i; };
@@ -211,11 +211,11 @@ std::vector<std::uint32_t> PairList<D>::build(Grains<D>& grains, const Box<D>& b
   });
   for (std::size_t i = 0; i < grains.size(); ++i) row_start[i + 1] += row_start[i];
   partner.resize(row_start.back());
-  history.resize(row_start.back());
+  slip.resize(row_start.back());
   if (reach_.rolling) roll.resize(row_start.back());
   std::vector<std::uint32_t> widest(members, 0);
   team.run([&](int member) {
-    const Range rows = share(grains.size(), member, team.size());
+    const Range rows = range_of(grains.size(), member, team.size());
     const auto& part = parts[static_cast<std::size_t>(member)];
     std::copy(part.begin(), part.end(), partner.begin() + row_start[rows.begin]);
     std::uint32_t band = 0;
@@ -223,7 +223,7 @@ std::vector<std::uint32_t> PairList<D>::build(Grains<D>& grains, const Box<D>& b
       for (auto k = row_start[i]; k < row_start[i + 1]; ++k) {
         const auto was = old_place(old_start, old_partner, order[i], order[partner[k]]);
         const bool turned_round = order[i] > order[partner[k]];
-        history[k] = was == none ? Tangent<D>{} : (turned_round ? swapped(old[was]) : old[was]);
+        slip[k] = was == none ? Tangent<D>{} : (turned_round ? swapped(old_slip[was]) : old_slip[was]);
         if (reach_.rolling) roll[k] = was == none ? Tangent<D>{} : (turned_round ? -old_roll[was] : old_roll[was]);
         if (partner[k] - i <= far) band = std::max(band, partner[k] - i);
       }
@@ -240,14 +240,14 @@ std::vector<std::uint32_t> PairList<D>::build(Grains<D>& grains, const Box<D>& b
 }
 
 template <int D>
-bool PairList<D>::stale(const Grains<D>& grains, double other_way, double ahead) {
+bool PairList<D>::stale(const Grains<D>& grains, double wall_displacement, double ahead) {
   if (!valid_) return true;
-  double least = 0.5 * reach_.skin - other_way;
+  double least = 0.5 * reach_.skin - wall_displacement;
   for (std::size_t k = 0; k < grains.size(); ++k) {
     const Vec<D> d = grains.line[k].position + grains.line[k].velocity * ahead - built_at_[k];
     least = std::min(least, allowance_[k] - std::sqrt(dot(d, d)));
   }
-  // With next to nothing left, the next look would come at once.
+  // With so little left, the next check would come after one step.
   if (least < 0.05 * reach_.skin) return true;
   slack_ = least;
   travelled_ = 0.0;

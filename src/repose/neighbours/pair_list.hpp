@@ -12,48 +12,48 @@
 
 namespace repose {
 
-/// How far a pair list looks.
+/// The distances and times that decide which pairs are listed.
 struct PairReach {
-  double cutoff = 1.0;   ///< a pair interacts closer than cutoff (R_i + R_j)
-  double skin = 0.3;     ///< [L] extra distance within which pairs are listed
-  double horizon = 0.0;  ///< [T] fast grains list what they can meet within this time, so that they force no rebuild
-  double gravity = 0.0;  ///< [L/T^2] by which they may speed up meanwhile
-  bool rolling = false;  ///< pairs remember a rolling displacement too
+  double cutoff = 1.0;   ///< a pair interacts if it is closer than cutoff (R_i + R_j)
+  double skin = 0.3;     ///< [L] pairs up to this much farther apart are listed too
+  double horizon = 0.0;  ///< [T] fast grains list all grains that they may reach within this time
+  double gravity = 0.0;  ///< [L/T^2] acceleration of fast grains during the horizon
+  bool rolling = false;  ///< whether pairs keep a rolling displacement too
 };
 
-/// Pairs of grains that may touch before the list is next built: for each grain i its partners j > i in memory order,
-/// ascending, each with the history of the contact beside it. Pairs of two fixed grains are left out.
+/// Pairs of grains that may touch before the list is next built. For each grain i it lists the partners j > i in memory
+/// order, ascending, each with the slip displacement of the contact. Pairs of two fixed grains are left out.
 ///
-/// The list stays valid while every grain has moved less than its allowance since the list was built: half the skin,
-/// and for fast grains the way they go within the horizon besides.
+/// The list stays valid while every grain has moved less than its allowance since the list was built. The allowance is
+/// half the skin; for a fast grain the distance that it may move within the horizon is added.
 template <int D>
 class PairList {
  public:
   explicit PairList(const PairReach& reach) : reach_(reach) {}
 
-  /// Sorts the grains by place, drops those that have left the box and lists the pairs; histories of pairs that were
-  /// listed before are kept. Grains added since are at the end of the arrays. Returns, for each grain in its new place,
-  /// where it was before.
+  /// Sorts the grains by position, drops those that have left the box and lists the pairs. Pairs that were listed
+  /// before keep their displacements. Grains added since the last build must be at the end of the arrays. Returns the
+  /// old index of each grain, in the new order.
   std::vector<std::uint32_t> build(Grains<D>& grains, const Box<D>& box, Team& team);
 
-  /// Forces the next `stale` to say yes: grains were added.
+  /// Call this when grains were added: the list is then stale.
   void invalidate() { valid_ = false; }
 
-  /// Whether it is of the grains as they are; else it is built before the next step.
+  /// Whether the list belongs to the present grains. If not, it is built before the next step.
   bool valid() const { return valid_; }
 
-  /// To be told after every step how far the fastest grain went [L].
+  /// Call this after every step with the largest displacement of a grain in it [L].
   void moved(double furthest) { travelled_ += furthest; }
 
-  /// Whether a cheap bound allows the list to be out of date; then `stale` decides.
-  bool suspect() const { return !valid_ || travelled_ > slack_; }
+  /// Whether the list may be stale by a cheap bound. If so, `stale` decides.
+  bool may_be_stale() const { return !valid_ || travelled_ > slack_; }
 
-  /// Looks at the true displacements: whether the list must be built again before the next forces. Anything else that
-  /// moves, as a wall does, has gone `other_way` [L] since the list was built. With a time `ahead` [T], places are
-  /// those that velocities will have brought about by then: for a method that must know whom a step may bring together.
-  bool stale(const Grains<D>& grains, double other_way = 0.0, double ahead = 0.0);
+  /// Whether the list must be built again before the next forces, from the true displacements. `wall_displacement` [L]
+  /// is the largest displacement of a wall since the list was built. With `ahead` [T], positions are extrapolated by
+  /// that time with the present velocities, for a method that needs the pairs which a step may bring together.
+  bool stale(const Grains<D>& grains, double wall_displacement = 0.0, double ahead = 0.0);
 
-  /// How far a grain may go from where it was when the list was built [L]: half the skin, more for fast ones.
+  /// The distance [L] that a grain may move from its position at the last build: half the skin, more for a fast grain.
   double allowance(std::size_t i) const { return allowance_[i]; }
 
   void exchange(Archive& archive) {
@@ -66,26 +66,27 @@ class PairList {
     archive.array("pairs/allowance", allowance_);
     archive.array("pairs/row_start", row_start);
     archive.array("pairs/partner", partner);
-    archive.array("pairs/history", history);
+    archive.array("pairs/history", slip);
     archive.array("pairs/roll", roll);
     archive.check("pairs/partner", row_start.empty() ? partner.empty() : row_start.back() == partner.size());
-    archive.check("pairs/history", history.size() == partner.size());
+    archive.check("pairs/history", slip.size() == partner.size());
   }
 
   std::size_t rows() const { return row_start.empty() ? 0 : row_start.size() - 1; }
   std::size_t pairs() const { return partner.size(); }
   long builds() const { return builds_; }
-  double travelled() const { return travelled_; }
+  double travelled() const { return travelled_; }  ///< [L] bound on the displacement of any grain since the last check
+  void set_travelled(double furthest) { travelled_ = furthest; }
   double slack() const { return slack_; }
 
-  /// Pairs whose places in memory lie further apart than this are far pairs; `bandwidth` is the widest of the others.
+  /// A pair whose indices differ by more than this is a far pair; `bandwidth` is the largest difference in the others.
   static constexpr std::uint32_t far = 1U << 15;
   std::uint32_t bandwidth = 0;
 
   std::vector<std::uint32_t> row_start;  ///< (n + 1) first pair of each grain
-  std::vector<std::uint32_t> partner;    ///< (pairs) memory place of j
-  std::vector<Tangent<D>> history;       ///< (pairs) [L] tangential displacement; zero when the pair is apart
-  std::vector<Tangent<D>> roll;          ///< (pairs) [L] rolling displacement; empty unless asked for
+  std::vector<std::uint32_t> partner;    ///< (pairs) index of j
+  std::vector<Tangent<D>> slip;          ///< (pairs) [L] slip displacement; zero while the pair is apart
+  std::vector<Tangent<D>> roll;          ///< (pairs) [L] rolling displacement; empty unless `PairReach::rolling`
 
  private:
   struct Extra {
@@ -105,11 +106,11 @@ class PairList {
 
   PairReach reach_;
   bool valid_ = false;
-  double travelled_ = 0.0;  // bound on the way of any grain since the last look
-  double slack_ = 0.0;      // how far any grain may go after the last look
+  double travelled_ = 0.0;  // [L] bound on the displacement of any grain since the last check of true displacements
+  double slack_ = 0.0;      // [L] displacement that every grain was still allowed at that check
   long builds_ = 0;
-  std::vector<Vec<D>> built_at_;   // positions when the list was built
-  std::vector<double> allowance_;  // [L] how far each grain may go from there
+  std::vector<Vec<D>> built_at_;   // [L] positions at the last build
+  std::vector<double> allowance_;  // [L] allowed displacement of each grain from there
 };
 
 }  // namespace repose

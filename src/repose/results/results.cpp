@@ -15,10 +15,10 @@ namespace {
 /// The core begins this far above the base centres: the base orders the layers below.
 constexpr double core_above_base = 2.0;  // diameters
 
-std::vector<Edge> edges_of(const Scene& scene) {
-  std::vector<Edge> edges;
-  for (const auto& plane : make_walls(scene)) edges.push_back({plane.point, plane.normal});
-  return edges;
+std::vector<FlatWall> flat_walls(const Scene& scene) {
+  std::vector<FlatWall> walls;
+  for (const auto& wall : make_walls(scene)) walls.push_back({wall.point, wall.normal});
+  return walls;
 }
 
 MotionSettings motion_settings(const Scene& scene, double base_height) {
@@ -43,10 +43,10 @@ PackingOptions packing_options(const Scene& scene) {
   if (scene.method->traits().follows_time) return options;
   options.slab.base_height = 0.0;
   // Base discs lie on the floor too, and are neighbours already.
-  options.planes.floor = -0.5 * scene.grains.diameter;
+  options.walls.floor = -0.5 * scene.grains.diameter;
   if (scene.box.walled()) {
-    options.planes.left = -scene.box.half_width;
-    options.planes.right = scene.box.half_width;
+    options.walls.left = -scene.box.half_width;
+    options.walls.right = scene.box.half_width;
   }
   return options;
 }
@@ -67,11 +67,11 @@ void measure_packing(const Record& record, Results& results) {
   const auto angle = scene.method->sticking_angle();
   if (!angle) return;
   results.max_overlap = deepest_overlap(discs, box, graph);
-  const auto breaks = breaks_sticking_rule(discs, box, graph, options.planes, options.gap, *angle);
+  const auto breaks = breaks_sticking_rule(discs, box, graph, options.walls, options.gap, *angle);
   results.breaking_rule = std::count(breaks.begin(), breaks.end(), 1);
 }
 
-/// Grains that geometry put in place: there are no forces to speak of.
+/// Of grains that were put there by geometry: there are no forces to speak of.
 Results analyse_packing_alone(const Record& record) {
   Results results;
   measure_packing(record, results);
@@ -102,7 +102,7 @@ Results analyse(const Record& record) {
   const double weight = mass * scene.gravity;
   if (weight > 0.0) results.weight_error = record.facts.support_force / weight - 1.0;
 
-  results.cells = voronoi(grains, in_heap, edges_of(scene), box);
+  results.cells = voronoi(grains, in_heap, flat_walls(scene), box);
   results.core = measure_core(grains, contacts, results.heap, results.cells, results.base_height,
                               scene.analysis.core_depth, core_above_base * scene.grains.diameter, threshold);
   results.forces = measure_force_statistics(contacts, threshold);

@@ -48,7 +48,7 @@ Moment read_frame(const std::string& path) {
   return {file.number("/", "time"), file.integer("/", "steps"), read_grains<2>(file), read_contacts<2>(file)};
 }
 
-/// Exports look up the grains that contacts name, and look no more whether they are there.
+/// Exports look up the grains that contacts name without a check of their own.
 void check_moment(const std::string& path, const Moment& moment) {
   const auto& id = moment.grains.id;
   const auto known = [&](std::int64_t k) { return std::binary_search(id.begin(), id.end(), k); };
@@ -56,7 +56,7 @@ void check_moment(const std::string& path, const Moment& moment) {
                      std::all_of(moment.contacts.list.begin(), moment.contacts.list.end(), [&](const auto& contact) {
                        return known(contact.first) && (contact.second < 0 || known(contact.second));
                      });
-  if (!sound) throw InputError(fmt::format("{}: contacts: names a grain that is not there", path));
+  if (!sound) throw InputError(fmt::format("{}: contacts: names a grain that does not exist", path));
 }
 
 using Use = std::function<void(const Moment&, std::size_t number)>;

@@ -48,7 +48,7 @@ InterruptedRun find_interrupted(const std::string& folder) {
   }
   const auto status = status_in(folder);
   if (status == Status::failed) {
-    throw InputError(fmt::format("{}: the run failed; there is nothing to go on with", folder));
+    throw InputError(fmt::format("{}: the run failed; there is nothing to resume", folder));
   }
   if (status == Status::finished) {
     run.finished = true;
@@ -69,7 +69,7 @@ InterruptedRun find_interrupted(const std::string& folder) {
   return run;
 }
 
-std::unique_ptr<RunFolder> taken_up(const std::string& folder, InterruptedRun& run, Simulation& simulation) {
+std::unique_ptr<RunFolder> resumed_folder(const std::string& folder, InterruptedRun& run, Simulation& simulation) {
   if (run.checkpoint) return std::make_unique<RunFolder>(folder, *run.checkpoint, simulation, std::move(run.lock));
   return std::make_unique<RunFolder>(folder, simulation, std::move(run.lock));
 }

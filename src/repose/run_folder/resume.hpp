@@ -12,22 +12,22 @@
 
 namespace repose {
 
-/// A run folder that can be gone on with.
+/// A run folder whose run can be resumed.
 struct InterruptedRun {
   std::unique_ptr<FolderLock> lock;
   bool finished = false;
-  bool completed = false;  ///< it was finished but for the analysis, which has been made now
+  bool completed = false;  ///< it had finished without its analysis, which has been made now
   Scene scene;
-  std::unique_ptr<Checkpoint> checkpoint;  ///< none: the run starts anew
+  std::unique_ptr<Checkpoint> checkpoint;  ///< none: the run starts again
   std::vector<std::string> damaged;        ///< checkpoints that cannot be used, one line each
 };
 
-/// Takes hold of a run folder and looks at it. Throws InputError if it holds no run, a run that failed, a scene that is
-/// not that of the run, or nothing but damaged checkpoints, and if another program writes there.
+/// Takes hold of a run folder and finds out how far its run came. Throws InputError if it holds no run, a run that
+/// failed, a scene that is not that of the run, or nothing but damaged checkpoints, and if another program writes
+/// there.
 InterruptedRun find_interrupted(const std::string& folder);
 
-/// The folder, whose lock is taken over, with the simulation (a new one of the scene) where the run was. Throws
-/// InputError.
-std::unique_ptr<RunFolder> taken_up(const std::string& folder, InterruptedRun& run, Simulation& simulation);
+/// Brings a new simulation of the scene to where the run was, and returns the folder with its lock. Throws InputError.
+std::unique_ptr<RunFolder> resumed_folder(const std::string& folder, InterruptedRun& run, Simulation& simulation);
 
 }  // namespace repose

@@ -123,7 +123,37 @@ RunFolder::RunFolder(std::string path, const Checkpoint& checkpoint, Simulation&
   next_slot_ = 1 - checkpoint.slot();
 }
 
-void RunFolder::pause(Simulation& simulation, bool last) {
+/// Writes the state with every so many rows of the series. The last state of a run is no frame.
+class RunFolder::Frames final : public Observer {
+ public:
+  Frames(RunFolder& folder, const Every& times) : folder_(folder), times_(times) {}
+
+  double due_after(double time) const override { return times_.after(time); }
+  bool due_at_end(double time) const override { return times_.latest(time); }
+  void observe(const Simulation& simulation) override {
+    if (simulation.status() != Status::running) return;
+    const auto record = simulation.record();
+    folder_.write_track(simulation);
+    folder_.write_frame(record);
+    folder_.write_run(record);
+  }
+
+ private:
+  RunFolder& folder_;
+  Every times_;
+};
+
+void RunFolder::run(Simulation& simulation, const std::atomic<bool>& interrupt) {
+  simulation.add(std::make_unique<Frames>(*this, Every(simulation.scene().output.frames, simulation.row_times())));
+  simulation.run([&] {
+    const bool last = interrupt;
+    keep(simulation, last);
+    return !last;
+  });
+}
+
+/// Writes a checkpoint if one is due by wall time, or now. An older checkpoint stays if that fails.
+void RunFolder::keep(Simulation& simulation, bool now) {
   constexpr double least_between = 100.0;  // times what a checkpoint costs, so that it costs less than 1 %
   const double interval = simulation.scene().output.checkpoint;
   const auto seconds_since = [](Clock::time_point time) {
@@ -131,7 +161,7 @@ void RunFolder::pause(Simulation& simulation, bool last) {
   };
   const double passed = seconds_since(last_pause_);
   const bool due = interval > 0.0 && passed >= interval && passed >= least_between * cost_;
-  if (!due && !last) return;
+  if (!due && !now) return;
   const auto start = Clock::now();
   write_checkpoint(path_, next_slot_, simulation, {frames_.size(), segments_.size(), moments_written_});
   next_slot_ = 1 - next_slot_;
@@ -139,28 +169,32 @@ void RunFolder::pause(Simulation& simulation, bool last) {
   cost_ = seconds_since(start);
 }
 
-void RunFolder::write(const Simulation& simulation, bool frame, const Written& written) {
+void RunFolder::write_track(const Simulation& simulation) {
+  if (simulation.track().size() == moments_written_) return;
   std::error_code error;
-  if (simulation.track().size() > moments_written_) {
-    fs::create_directories(path_ + "/track", error);
-    const auto name = numbered(segments_.size());
-    write_track_segment(fmt::format("{}/track/{}.h5", path_, name), simulation.track(), moments_written_);
-    moments_written_ = simulation.track().size();
-    segments_.push_back(name);
-  }
-  const auto record = simulation.record();
-  if (frame) {
-    fs::create_directories(path_ + "/frames", error);
-    const auto name = numbered(frames_.size());
-    Hdf5File file(fmt::format("{}/frames/{}.h5", path_, name));
-    file.attribute("/", "time", record.facts.time);
-    file.attribute("/", "steps", record.facts.steps);
-    write_grains(file, record.grains);
-    write_contacts(file, record.contacts);
-    file.commit();
-    frames_.push_back(name);
-  }
-  write_run(record, written);
+  fs::create_directories(path_ + "/track", error);
+  const auto name = numbered(segments_.size());
+  write_track_segment(fmt::format("{}/track/{}.h5", path_, name), simulation.track(), moments_written_);
+  moments_written_ = simulation.track().size();
+  segments_.push_back(name);
+}
+
+void RunFolder::write_frame(const Record& record) {
+  std::error_code error;
+  fs::create_directories(path_ + "/frames", error);
+  const auto name = numbered(frames_.size());
+  Hdf5File file(fmt::format("{}/frames/{}.h5", path_, name));
+  file.attribute("/", "time", record.facts.time);
+  file.attribute("/", "steps", record.facts.steps);
+  write_grains(file, record.grains);
+  write_contacts(file, record.contacts);
+  file.commit();
+  frames_.push_back(name);
+}
+
+void RunFolder::write(const Simulation& simulation, const Written& written) {
+  write_track(simulation);
+  write_run(simulation.record(), written);
   if (simulation.status() == Status::finished || simulation.status() == Status::failed) remove_checkpoints(path_);
 }
 

@@ -7,7 +7,9 @@
 #include "repose/run_folder/checkpoint.hpp"
 #include "repose/simulation/simulation.hpp"
 
+#include <atomic>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,10 +19,10 @@ namespace repose {
 /// The folder that a run writes; see docs/reference/run-folder.md.
 class RunFolder {
  public:
-  /// To be called with what was written.
+  /// Called with what was written.
   using Written = std::function<void(const Record&, const Results&)>;
 
-  /// What stands in the way of writing a run here, one line each; nothing is touched.
+  /// Why a run cannot be written here, one line for each reason; nothing is touched.
   static std::vector<std::string> problems(const std::string& path, bool overwrite);
 
   /// Makes the folder (or clears an older run out of it) and writes scene.toml and the state at the start. Throws
@@ -28,24 +30,30 @@ class RunFolder {
   /// The lock of a folder that is held already is handed over.
   RunFolder(std::string path, const Simulation& simulation, std::unique_ptr<FolderLock> lock = nullptr);
 
-  /// Takes up an older run where its checkpoint left it: `simulation` is given the state back.
+  /// Resumes an older run where its checkpoint left it: `simulation` is given the state back.
   RunFolder(std::string path, const Checkpoint& checkpoint, Simulation& simulation, std::unique_ptr<FolderLock> lock);
 
   /// Moves a start that was written whole, but cut off before it was in its place, there; else does nothing. For the
   /// holder of the lock.
   static void complete_start(const std::string& path);
 
-  /// Writes a checkpoint if one is due, by wall time, or if the run is interrupted. Throws RunError; an older
-  /// checkpoint stays.
-  void pause(Simulation& simulation, bool last);
+  /// Runs a simulation until it stops or `interrupt` becomes true, and writes its frames and checkpoints. Throws
+  /// RunError.
+  void run(Simulation& simulation, const std::atomic<bool>& interrupt);
 
-  /// Writes the present state, what the analysis says of it, and a frame if asked. Throws RunError; what was there
-  /// before stays.
-  void write(const Simulation& simulation, bool frame, const Written& written = {});
+  /// Writes the present state and its analysis. Throws RunError; the files of an earlier state stay then.
+  void write(const Simulation& simulation, const Written& written = {});
+
+  /// Writes a checkpoint if one is due by wall time, or `now`. Throws RunError; an older checkpoint stays then.
+  void keep(Simulation& simulation, bool now);
 
   const std::string& path() const { return path_; }
 
  private:
+  class Frames;
+
+  void write_track(const Simulation& simulation);
+  void write_frame(const Record& record);
   void write_run(const Record& record, const Written& written = {});
 
   using Clock = std::chrono::steady_clock;

@@ -14,6 +14,7 @@
 namespace repose {
 
 class Source;
+struct TimeSteps;
 
 /// A source of grains as a scene chooses it.
 class SourceKind : public AnyKind<SourceKind> {
@@ -45,7 +46,7 @@ class SourceKind : public AnyKind<SourceKind> {
   /// The grains that exist at the start; `id` is that of the next one.
   virtual void add_grains(const Scene& scene, Grains<2>& grains, std::int64_t& id) const;
   /// The source at work; `first_id` is that of the first grain it releases.
-  virtual std::unique_ptr<Source> start(const Scene& scene, double time_step, std::int64_t first_id) const;
+  virtual std::unique_ptr<Source> start(const Scene& scene, const TimeSteps& steps, std::int64_t first_id) const;
 };
 
 Kinds<SourceKind>& source_kinds();

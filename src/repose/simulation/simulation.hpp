@@ -8,110 +8,119 @@
 #include "repose/methods/method.hpp"
 #include "repose/record/record.hpp"
 #include "repose/scene/scene.hpp"
+#include "repose/simulation/base_forces.hpp"
+#include "repose/simulation/loads.hpp"
+#include "repose/simulation/observer.hpp"
+#include "repose/simulation/series.hpp"
 #include "repose/simulation/sources/source.hpp"
+#include "repose/simulation/track_observer.hpp"
 
-#include <array>
-#include <atomic>
 #include <chrono>
-#include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace repose {
 
-/// A scene at work: its method, source, stops and observers.
+/// Where an advance of a simulation ended.
+struct Advanced {
+  double time = 0.0;  ///< [T]
+  Status status = Status::running;
+
+  bool stopped() const { return status != Status::running; }
+};
+
+/// A scene at work: its method, source, loads, stops and observers. Neither the division of a run into advances nor its
+/// observers change a bit of it.
 class Simulation {
  public:
   Simulation(Scene scene, int threads);
 
-  /// What to do at every observation, and where a frame is due.
-  struct Hooks {
-    std::function<void(const Simulation&)> observed;
-    std::function<void(const Simulation&)> frame;
-    std::function<void(Simulation&, bool last)> pause;  ///< the state may be kept now; `last`: the run is interrupted
-  };
+  /// Called after every batch of steps, about a second of one core at most; false ends the advance there.
+  using Pause = std::function<bool()>;
 
-  /// Runs until a stop of the scene, trouble, or `interrupt` becomes true.
-  void run(const Hooks& hooks, const std::atomic<bool>& interrupt);
+  /// Advances to a time [T], or as near to it as the method can stop, or until a stop of the scene or trouble.
+  Advanced advance(double until, const Pause& pause = {});
 
-  /// All that changes while it runs but the track, for a checkpoint; a simulation of the same scene can be given it.
+  /// Advances until a stop of the scene or trouble; a pause that ends it interrupts the run.
+  Advanced run(const Pause& pause = {});
+
+  /// Adds an observer; those of one time are called in the order in which they were added.
+  void add(std::unique_ptr<Observer> observer);
+
+  /// Calls a function every `interval` of simulated time [T], > 0, in whole steps where the method's are equal. It sees
+  /// the state before the source adds to it. Throws InputError.
+  void observe_every(double interval, RegularObserver::Use use);
+
+  /// All that changes in a run but the track, for a checkpoint; a simulation of the same scene can be given it.
   void exchange(Archive& archive);
 
-  /// To be called after `exchange` has given the state back.
+  /// Called after `exchange` has given the state back.
   void restored(Track track);
 
   const Scene& scene() const { return scene_; }
   const Grains<2>& grains() const { return grains_; }
-  Contacts<2> contacts() const { return method_->contacts(grains_); }
-  const std::vector<SeriesRow>& series() const { return series_; }
-  const Track& track() const { return track_; }
+  const Contacts<2>& contacts() const;
+  const std::vector<WallState>& walls() const { return method_->walls(); }
+  const std::vector<SeriesRow>& series() const { return series_.rows(); }
+  const Track& track() const { return track_.track(); }
   /// All that there is to know of the run so far.
   Record record() const;
 
   Status status() const { return status_; }
   const std::string& message() const { return message_; }  ///< why it stopped
-  double time() const { return static_cast<double>(step_) * time_step_; }
-  double time_step() const { return time_step_; }
-  long steps() const { return step_; }
+  double time() const { return method_->time(); }
+  double time_step() const { return steps_.length; }     ///< [T] 0 where steps vary
+  long steps() const { return taken_; }                  ///< or events
+  const Every& row_times() const { return row_times_; }  ///< of the regular rows of the series
+  std::size_t moving() const { return moving_; }         ///< grains that can move
+  std::int64_t released() const;                         ///< grains, by the source or the method
+  std::int64_t lost() const;                             ///< grains that have left
   int threads() const { return team_.size(); }
   double grain_steps() const { return grain_steps_; }  ///< moving grains times steps
-  double wall_seconds() const;
+  double wall_seconds() const;                         ///< in advances, those before a checkpoint too
 
  private:
-  /// Force on the fixed grains over one stretch between observations.
-  struct Stretch {
-    double start = 0.0;
-    double end = 0.0;
-    std::vector<Vec<2>> impulse;  // per fixed grain, by id order
-  };
-
   void begin();
-  double apex() const;
-  long observations_in(double time) const;
-  long next_stop() const;
+  void take_batch(double end);
+  double next_due(double end) const;
+  void add_row();
+  void observe(double before, bool extra_row);
   void release_due_grains();
-  void observe(const Hooks& hooks);
-  void record_reactions();
-  void record_walls();
-  void apply_due_loads();
-  std::int64_t nearest_grain(const Vec<2>& place) const;
-  void record_track(const Contacts<2>& contacts);
-  BaseProfile base_profile() const;
-  double force_on_supports(const Contacts<2>& contacts) const;
-  std::int64_t released() const;
-  std::int64_t grains_lost() const;
-  bool at_rest() const;
+  void begin_due_loads();
+  void drop_lost_grains();
+  void refresh();
+  double apex() const;
   void stop(Status status, std::string message);
-  std::string describe_trouble(const Contacts<2>& contacts) const;
 
   Scene scene_;
   Team team_;
   Grains<2> grains_;
   std::unique_ptr<Method<2>> method_;
-  double time_step_;
+  TimeSteps steps_;
   std::unique_ptr<Source> source_;
-  std::vector<Scene::Load> by_start_;  // the loads of the scene in the order in which they begin
-  std::size_t loads_begun_ = 0;
-  std::vector<Load<2>> loads_;
+  Loads loads_;
+  double end_;               // [T] stop.time, in whole steps; infinity without it
   std::int64_t placed_ = 0;  // moving grains at the start
-  std::vector<std::int64_t> fixed_ids_;
-  long observe_every_;
-  long frame_every_;  // in observations; 0: never
-  long track_every_;  // in observations; 0: never
-  long step_ = 0;
-  double grain_steps_ = 0.0;
   std::size_t moving_ = 0;
-  std::deque<Stretch> window_;
-  std::vector<SeriesRow> series_;
-  std::vector<WallRow> walls_;  // per row of the series and wall
-  Track track_;
+  long taken_ = 0;  // steps or events
+  double grain_steps_ = 0.0;
+  mutable std::optional<Contacts<2>> contacts_;  // of the present state, once they have been asked for
+
+  Every row_times_;
+  Series series_;
+  BaseForces base_forces_;
+  TrackObserver track_;
+  std::vector<std::unique_ptr<Observer>> observers_;
+
   Status status_ = Status::running;
   std::string message_;
-  double earlier_seconds_ = 0.0;  // of wall time, before the run was taken up again
-  bool restored_ = false;
-  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+  bool begun_ = false;
+  using Clock = std::chrono::steady_clock;
+  double seconds_ = 0.0;                    // of wall time, in advances that have ended
+  std::optional<Clock::time_point> since_;  // start of the present advance
 };
 
 }  // namespace repose

@@ -16,7 +16,7 @@ struct BaseForce {
   double shear = 0.0;
 };
 
-/// Columns x_over_b (`points` places from 0 to 1, both included), normal and shear, in `unit`.
+/// A table with the columns x_over_b (`points` positions from 0 to 1, both included), normal and shear, in `unit`.
 Table base_table(std::int64_t points, const std::string& unit, const std::function<BaseForce(double x_over_b)>& force);
 
 }  // namespace repose::theory

@@ -10,21 +10,21 @@
 
 namespace repose::theory {
 
-/// How a column moves against its walls, which sets the sign of their friction.
+/// The motions of a column relative to its walls. They set the sign of the wall friction.
 inline const std::vector<Word>& column_directions() {
   static const std::vector<Word> words = {"rest", "pushed-up"};
   return words;
 }
 
-/// Sense of the friction of the walls on the grains, positive upward: +1 at rest (walls carry), -1 pushed up (walls
-/// hold back).
+/// The sign of the wall friction on the grains, positive upward: +1 at rest (the walls carry weight), -1 pushed up (the
+/// walls hold the grains down).
 inline double wall_sense(const std::string& direction) { return direction == "rest" ? 1.0 : -1.0; }
 
-/// (1 - exp(-x)) / x, the share of the weight of a column of x screening lengths that arrives at its bottom; 1 at x = 0
-/// and above 1 for x < 0 (pushed up).
-inline double share_at_bottom(double x) { return x == 0.0 ? 1.0 : -std::expm1(-x) / x; }
+/// (1 - exp(-x)) / x: the fraction of the weight of a column, x screening lengths high, that its bottom carries. It is
+/// 1 at x = 0 and above 1 for x < 0 (pushed up).
+inline double fraction_at_bottom(double x) { return x == 0.0 ? 1.0 : -std::expm1(-x) / x; }
 
-/// Height over screening length above which a column pushed up is refused: exp(x) would soon overflow.
+/// The largest ratio of height to screening length of a column that is pushed up: exp(x) soon overflows beyond it.
 inline constexpr double highest_push = 700.0;
 
 }  // namespace repose::theory

@@ -29,8 +29,8 @@ constexpr double tolerance = 1e-14;
 constexpr double series_end = 2e-3;
 constexpr std::size_t intervals = 4096;
 
-/// Equilibrium as d(pi, u)/dd. With x/z = (1 - d)/t and psi = psi_surface + u, both equations are identities in which
-/// the terms that vanish at the surface cancel exactly; what is left was divided by d:
+/// The equations of equilibrium for d(pi, u)/dd. With x/z = (1 - d)/t and psi = psi_surface + u, the terms that vanish
+/// at the surface cancel exactly; the rest is divided by d:
 ///   (s S + 2 t d w^2 sinc(u)^2) pi' + 2 (2 t w sinc(2u) + s C) pi u' = -2 t w^2 sinc(u)^2 pi
 ///   (1 - d (1 + s C) - t sin 2u) pi' - 2 (t cos 2u - s d S) pi u' = (1 - pi)/d + 2 t w sinc(2u) pi
 /// where w = u/d, S = sin 2psi, C = cos 2psi, sinc(a) = sin(a)/a.
@@ -59,26 +59,26 @@ struct Equilibrium {
   }
 };
 
-/// What pi and u do near the surface: pi = 1 + p0 d + p1 d^2 + p2 d^3 + c/d, u = d (w0 + w1 d + w2 d^2). c is nonzero
-/// where P does not vanish on the surface; p0 and w0 are known.
+/// The expansion of pi and u near the surface: pi = 1 + p0 d + p1 d^2 + p2 d^3 + c/d, u = d (w0 + w1 d + w2 d^2). c is
+/// nonzero if P does not vanish on the surface; p0 and w0 are known.
 struct NearSurface {
   std::array<double, 3> p;
   std::array<double, 3> w;
   double c;
 };
 
-/// From the states at d, 2d and 4d.
+/// The expansion from the states at d, 2d and 4d.
 NearSurface fit_near_surface(double friction_angle, double d, const std::array<State, 3>& states) {
   const double s = std::sin(friction_angle);
   const double w0 = -2.0 / 3.0 * s * std::cos(friction_angle);
   const double p0 = -4.0 / 3.0 * s * s;
-  // r = (pi - 1)/d - p0 = p1 d + p2 d^2 + c/d^2 at three places, in units of this d.
+  // r = (pi - 1)/d - p0 = p1 d + p2 d^2 + c/d^2 at the three distances, in units of this d.
   std::array<double, 3> r{};
   std::array<double, 3> v{};
   for (std::size_t i = 0; i < 3; ++i) {
-    const double there = d * static_cast<double>(std::size_t{1} << i);
-    r[i] = (states[i][0] - 1.0) / there - p0;
-    v[i] = states[i][1] / there - w0;
+    const double distance = d * static_cast<double>(std::size_t{1} << i);
+    r[i] = (states[i][0] - 1.0) / distance - p0;
+    v[i] = states[i][1] / distance - w0;
   }
   // Rows (1, 1, 1), (2, 4, 1/4), (4, 16, 1/16) of (p1, p2, c): eliminate p1, then p2.
   const double first = r[1] - 2.0 * r[0];   // 2 p2 - 7/4 c
@@ -91,76 +91,77 @@ NearSurface fit_near_surface(double friction_angle, double d, const std::array<S
   return {{p0, p1 / d, p2 / (d * d)}, {w0, w1 / d, w2 / (d * d)}, c * d * d};
 }
 
-/// The solution is between these in all of the wedge: with too little pressure on the axis psi passes its value on the
-/// surface on the way there, with too much P rises above d.
+/// The solution never meets either condition. With too little pressure on the axis, psi passes its surface value before
+/// the surface is reached; with too much, P rises above d.
 bool is_too_low(const State& state) { return state[1] > 0.0 || state[0] < 0.2; }
 bool is_too_high(const State& state) { return state[0] > 1.0; }
 
-/// Integrates from the axis outward; `see` gets each of the falling `places` with the state there, `give_up` the state
-/// after every step. False where that gave up, or where a singular point stops it; `state` then is the last one.
-template <class See, class GiveUp>
-bool integrate(double friction_angle, State& state, const std::vector<double>& places, const See& see,
+/// Integrates from the axis outward. Calls observe(d, state) at each of the descending `distances` from the surface.
+/// Returns false if give_up(state) is true after a step or a singular point stops the integration; `state` is then the
+/// last state reached.
+template <class Observe, class GiveUp>
+bool integrate(double friction_angle, State& state, const std::vector<double>& distances, const Observe& observe,
                const GiveUp& give_up) {
   namespace odeint = boost::numeric::odeint;
   const Equilibrium equilibrium{friction_angle};
   auto stepper = odeint::make_controlled<Stepper>(tolerance, tolerance);
-  double d = places.front();
+  double d = distances.front();
   double step = -1e-3 * std::min(1.0, friction_angle);
-  see(d, state);
-  for (std::size_t i = 1; i < places.size(); ++i) {
-    while (d > places[i]) {
-      const bool cut = step < places[i] - d;
-      double trial = cut ? places[i] - d : step;
+  observe(d, state);
+  for (std::size_t i = 1; i < distances.size(); ++i) {
+    while (d > distances[i]) {
+      const bool cut = step < distances[i] - d;
+      double trial = cut ? distances[i] - d : step;
       const bool done = stepper.try_step(equilibrium, state, d, trial) == odeint::success;
-      if (done && cut) d = places[i];
-      step = done && cut ? std::min(step, trial) : trial;  // what a cut step can do is no reason to shorten the next
+      if (done && cut) d = distances[i];
+      step = done && cut ? std::min(step, trial) : trial;  // a cut step must not shorten the next one
       if (give_up(state) || std::abs(step) < 1e-13) return false;
     }
-    see(d, state);
+    observe(d, state);
   }
   return true;
 }
 
 State on_axis(double friction_angle, double pi) { return {pi, 0.5 * friction_angle - 0.25 * std::numbers::pi}; }
 
-/// c of the solution with this pi on the axis; a large value of its sign where it does not come near the surface.
-double misses_by(double friction_angle, double pi) {
+/// c of the solution with this pi on the axis; +-1 with the sign of c if the solution does not reach the surface.
+double surface_mismatch(double friction_angle, double pi) {
   std::array<State, 3> states{};
   auto state = on_axis(friction_angle, pi);
-  const std::vector<double> places = {1.0, 4.0 * series_end, 2.0 * series_end, series_end};
-  std::size_t to_see = places.size();
-  const auto see = [&](double /*d*/, const State& there) {
-    if (--to_see < states.size()) states[to_see] = there;
+  const std::vector<double> distances = {1.0, 4.0 * series_end, 2.0 * series_end, series_end};
+  std::size_t left = distances.size();
+  const auto observe = [&](double /*d*/, const State& at_d) {
+    if (--left < states.size()) states[left] = at_d;
   };
-  const auto give_up = [](const State& there) { return is_too_low(there) || is_too_high(there); };
-  if (integrate(friction_angle, state, places, see, give_up)) {
+  const auto give_up = [](const State& at_d) { return is_too_low(at_d) || is_too_high(at_d); };
+  if (integrate(friction_angle, state, distances, observe, give_up)) {
     return fit_near_surface(friction_angle, series_end, states).c;
   }
-  return is_too_low(state) ? -1.0 : 1.0;  // singular points stop only what is too high
+  return is_too_low(state) ? -1.0 : 1.0;  // singular points stop only solutions that are too high
 }
 
-/// P on the axis.
+/// P on the axis, by shooting.
 double shoot(double friction_angle) {
-  const auto f = [&](double pi) { return misses_by(friction_angle, pi); };
+  const auto f = [&](double pi) { return surface_mismatch(friction_angle, pi); };
   std::uintmax_t iterations = 200;
   const auto bracket =
       boost::math::tools::toms748_solve(f, 0.3, 1.0, boost::math::tools::eps_tolerance<double>(52), iterations);
   return 0.5 * (bracket.first + bracket.second);
 }
 
-/// Falling d from the axis to the end of the series, dense within the angle phi of the axis, where small phi have a
-/// layer.
-std::vector<double> places_of_profile(double friction_angle) {
+/// Descending d from the axis to the end of the series, dense within the angle phi of the axis, where the solution has
+/// a layer for small phi.
+std::vector<double> distances_of_profile(double friction_angle) {
   const double layer = std::tan(friction_angle);
   const double all = std::asinh((1.0 - 4.0 * series_end) / layer);
-  std::vector<double> places;
+  std::vector<double> distances;
   for (std::size_t i = 0; i <= intervals; ++i) {
-    places.push_back(1.0 - layer * std::sinh(all * static_cast<double>(i) / static_cast<double>(intervals)));
+    distances.push_back(1.0 - layer * std::sinh(all * static_cast<double>(i) / static_cast<double>(intervals)));
   }
-  places.back() = 4.0 * series_end;
-  places.push_back(2.0 * series_end);
-  places.push_back(series_end);
-  return places;
+  distances.back() = 4.0 * series_end;
+  distances.push_back(2.0 * series_end);
+  distances.push_back(series_end);
+  return distances;
 }
 
 double polynomial(const std::array<double, 3>& of, double d) { return of[0] + d * (of[1] + d * of[2]); }
@@ -172,18 +173,18 @@ IncipientFailure::Profile IncipientFailure::solve(double friction_angle) {
   Profile profile;
   auto state = on_axis(friction_angle, shoot(friction_angle));
   std::vector<State> states;
-  const auto add = [&](double d, const State& there) {
+  const auto add = [&](double d, const State& at_d) {
     State change(2);
-    equilibrium(there, change, d);
+    equilibrium(at_d, change, d);
     profile.s.push_back(1.0 - d);
-    profile.pi.push_back(there[0]);
+    profile.pi.push_back(at_d[0]);
     profile.pi_slope.push_back(-change[0]);
-    profile.u.push_back(there[1]);
+    profile.u.push_back(at_d[1]);
     profile.u_slope.push_back(-change[1]);
-    states.push_back(there);
+    states.push_back(at_d);
   };
-  if (!integrate(friction_angle, state, places_of_profile(friction_angle), add,
-                 [](const State& /*there*/) { return false; })) {
+  if (!integrate(friction_angle, state, distances_of_profile(friction_angle), add,
+                 [](const State& /*at_d*/) { return false; })) {
     throw InputError("no solution at incipient failure was found for this friction angle");
   }
   const auto last = states.size() - 1;
@@ -220,8 +221,8 @@ double IncipientFailure::peak_normal() const {
   const auto highest = std::ranges::max_element(s_, {}, normal);
   const double low = highest == s_.begin() ? 0.0 : *std::prev(highest);
   const double high = std::next(highest) == s_.end() ? 1.0 : *std::next(highest);
-  const auto [place, fall] = boost::math::tools::brent_find_minima([&](double s) { return -normal(s); }, low, high, 40);
-  return std::max({-fall, normal(0.0), *highest == place ? 0.0 : normal(*highest)});
+  const auto [s, least] = boost::math::tools::brent_find_minima([&](double at) { return -normal(at); }, low, high, 40);
+  return std::max({-least, normal(0.0), *highest == s ? 0.0 : normal(*highest)});
 }
 
 }  // namespace repose::theory

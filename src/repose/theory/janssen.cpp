@@ -14,7 +14,7 @@ namespace repose::theory {
 
 namespace {
 
-/// Depth in screening lengths, negative pushed up; exactly 0 without friction.
+/// The depth in screening lengths: negative if pushed up, exactly 0 without friction.
 double screened(const Janssen& column, double depth) {
   const double walls = column.dimension == 2 ? 2.0 : 4.0;  // perimeter times width over area
   return wall_sense(column.direction) * (walls * column.stress_ratio * column.friction * (depth / column.width));
@@ -35,32 +35,33 @@ double area(const Janssen& column) {
 
 double vertical_stress(const Janssen& column, double depth) {
   const double x = screened(column, depth);
-  return weight_per_volume(column) * depth * share_at_bottom(x) + column.overload * std::exp(-x);  // (24)
+  return weight_per_volume(column) * depth * fraction_at_bottom(x) + column.overload * std::exp(-x);  // (24)
 }
 
 void parameters(Janssen& column, Parameters& to) {
-  to.integer("dimension", column.dimension, {.low = 2, .high = 3}, "2: slit, all per length across it; 3: round pipe");
-  to.number("width", column.width, positive, "L", "between the walls in 2D, diameter in 3D");
+  to.integer("dimension", column.dimension, {.low = 2, .high = 3},
+             "2: slit, all quantities per unit length along it; 3: round pipe");
+  to.number("width", column.width, positive, "L", "distance between the walls in 2D, diameter in 3D");
   to.number("stress_ratio", column.stress_ratio, not_negative, "1", "horizontal over vertical stress, K");
-  to.number("friction", column.friction, not_negative, "1", "coefficient of grains against wall, mu");
+  to.number("friction", column.friction, not_negative, "1", "friction of grains against the wall, mu");
   to.number("solid_fraction", column.solid_fraction, {.low = 0.0, .high = 1.0, .low_allowed = false}, "1",
-            "volume of grains over volume, c");
-  to.number("density", column.density, positive, "M/L^3", "of the matter of a grain, rho");
+            "volume of grains over total volume, c");
+  to.number("density", column.density, positive, "M/L^3", "density of the material of a grain, rho");
   to.number("gravity", column.gravity, positive, "L/T^2", "g");
-  to.number("height", column.height, positive, "L", "of the column");
+  to.number("height", column.height, positive, "L", "height of the column");
   to.choice("direction", column.direction, column_directions(),
-            "rest: the walls carry; pushed-up: they hold back with the same friction");
+            "rest: the walls carry weight; pushed-up: the same friction holds the grains down");
   to.number("overload", column.overload, not_negative, "M/(L T^2)", "vertical stress on the top");
-  to.integer("points", column.points, {.low = 2, .high = 10'000'000}, "depths, top and bottom included");
+  to.integer("points", column.points, {.low = 2, .high = 10'000'000}, "number of depths, top and bottom included");
 }
 
 std::vector<std::string> relations(const Janssen& column) {
   const double x = -screened(column, column.height);
   if (x <= highest_push) return {};
-  return {
-      fmt::format("height = {}: is {:.6g} screening lengths ({:.6g}), must be <= {} of them pushed up, where stress "
-                  "grows as exp(height/lambda)",
-                  column.height, x, screening_length(column), highest_push)};
+  return {fmt::format(
+      "height = {}: is {:.6g} screening lengths ({:.6g}); must be <= {} of them with direction = pushed-up, "
+      "where stress grows as exp(height/lambda)",
+      column.height, x, screening_length(column), highest_push)};
 }
 
 Table evaluate(const Janssen& column) {
@@ -69,12 +70,15 @@ Table evaluate(const Janssen& column) {
   const double lambda = screening_length(column);
   const double saturation = saturates ? lambda : std::numeric_limits<double>::infinity();
   const std::string mass = column.dimension == 2 ? "M/L" : "M";
-  Column depths{.name = "depth", .unit = "L", .about = "below the top", .values = {}, .words = {}};
-  Column stresses{
-      .name = "stress", .unit = "M/(L T^2)", .about = "vertical, compression positive", .values = {}, .words = {}};
+  Column depths{.name = "depth", .unit = "L", .about = "depth below the top", .values = {}, .words = {}};
+  Column stresses{.name = "stress",
+                  .unit = "M/(L T^2)",
+                  .about = "vertical stress, compression positive",
+                  .values = {},
+                  .words = {}};
   Column masses{.name = "apparent_mass",
                 .unit = mass,
-                .about = "stress times area over g, what a balance shows",
+                .about = "stress times area over g: the mass that a balance shows",
                 .values = {},
                 .words = {}};
   for (std::int64_t i = 0; i < column.points; ++i) {
@@ -87,9 +91,11 @@ Table evaluate(const Janssen& column) {
   return {{depths, stresses, masses},
           {{"lambda", lambda, "L", "screening length; infinite without friction"},
            {"saturation_stress", weight_per_volume(column) * saturation, "M/(L T^2)",
-            "stress far below the top; infinite pushed up or without friction"},
-           {"saturation_mass", mass_per_height * saturation, mass, "apparent mass far below the top; the same"},
-           {"mass_per_height", mass_per_height, column.dimension == 2 ? "M/L^2" : "M/L", "of grains, rho c area"}}};
+            "stress far below the top; infinite if pushed up or without friction"},
+           {"saturation_mass", mass_per_height * saturation, mass,
+            "apparent mass far below the top; infinite if pushed up or without friction"},
+           {"mass_per_height", mass_per_height, column.dimension == 2 ? "M/L^2" : "M/L",
+            "mass of the grains per height, rho c area"}}};
 }
 
 }  // namespace repose::theory

@@ -11,12 +11,12 @@
 
 namespace repose::theory {
 
-/// A stack of cells between two walls, each one grain in the middle below two that touch the walls: a Janssen column
-/// whose walls act at a few heights only. Grains do not turn.
+/// A stack of cells between two walls. Each cell has one grain in the middle below two grains that touch the walls, so
+/// this is a Janssen column whose walls act at discrete heights. Grains do not rotate.
 /// Source: Bratberg's thesis (2003), eqs (30)-(40), corrected. Validated by tests/theory/janssen_discrete_test.cpp.
 struct JanssenDiscrete {
-  double k_mu = 0.1;                ///< K mu; below 1/2 pushed up
-  std::int64_t layers = 20;         ///< cells, N
+  double k_mu = 0.1;                ///< K mu; below 1/2 if pushed up
+  std::int64_t layers = 20;         ///< number of cells, N
   std::string direction = "rest";   ///< rest | pushed-up
   std::string wall_load = "below";  ///< below, N_i = K F_i of (31) | mean, K (F_(i-1) + F_i)/2 | above, K F_(i-1)
 
@@ -25,22 +25,22 @@ struct JanssenDiscrete {
                                   .source = "Bratberg 2003 (thesis), eqs (30)-(40), corrected"};
 };
 
-/// Upward force on the middle grain of the lowest of so many cells, in weights of a grain.
+/// The upward force on the middle grain of the lowest of `layers` cells, in weights of a grain.
 double force_below(const JanssenDiscrete& stack, std::int64_t layers);
 
-/// Lengths of force = 3 lambda_1 (1 - exp(-N/lambda_2)), or 3 lambda_1 (exp(N/lambda_2) - 1) pushed up, in heights of a
-/// cell; infinite at k_mu = 0.
+/// The lengths in force = 3 lambda_1 (1 - exp(-N/lambda_2)), or 3 lambda_1 (exp(N/lambda_2) - 1) if pushed up, in
+/// heights of a cell; infinite at k_mu = 0.
 struct DiscreteLengths {
   double lambda_1 = 0.0;
   double lambda_2 = 0.0;
-  double ratio = 1.0;  ///< lambda_1/lambda_2; with the load of (31) above 1 pushed up, below 1 at rest
+  double ratio = 1.0;  ///< lambda_1/lambda_2; with the wall load of (31) above 1 if pushed up, below 1 at rest
 };
 DiscreteLengths discrete_lengths(const JanssenDiscrete& stack);
 
 void parameters(JanssenDiscrete& stack, Parameters& to);
 std::vector<std::string> relations(const JanssenDiscrete& stack);
 
-/// Columns layer (1 to N from the top), force.
+/// A table with the columns layer (1 to N from the top) and force.
 Table evaluate(const JanssenDiscrete& stack);
 
 }  // namespace repose::theory

@@ -36,7 +36,7 @@ ApparentMasses read_masses(const JanssenFit& fit) {
   }
   throw_if_any(std::move(problems));
   if (static_cast<std::int64_t>(file.rows()) < fit.parameters) {
-    throw InputError(fmt::format("{}: has {} row{}, {} needed for as many parameters", fit.file, file.rows(),
+    throw InputError(fmt::format("{}: has {} row{}; {} parameters need as many", fit.file, file.rows(),
                                  file.rows() == 1 ? "" : "s", fit.parameters));
   }
   return data;
@@ -45,11 +45,12 @@ ApparentMasses read_masses(const JanssenFit& fit) {
 }  // namespace
 
 void parameters(JanssenFit& fit, Parameters& to) {
-  to.text("file", fit.file, "CSV file with columns height (L), apparent_mass (M), perhaps apparent_mass_error (M)");
-  to.integer("parameters", fit.parameters, {.low = 1, .high = 2}, "2: lambda_1 and lambda_2; 1: the two are one");
+  to.text("file", fit.file,
+          "CSV file with columns height (L), apparent_mass (M) and optionally apparent_mass_error (M)");
+  to.integer("parameters", fit.parameters, {.low = 1, .high = 2}, "2: lambda_1 and lambda_2; 1: both are equal");
   to.choice("direction", fit.direction, column_directions(),
-            "rest: the walls carry; pushed-up: they hold back with the same friction");
-  to.number("mass_per_height", fit.mass_per_height, positive, "M/L", "of grains, rho c area");
+            "rest: the walls carry weight; pushed-up: the same friction holds the grains down");
+  to.number("mass_per_height", fit.mass_per_height, positive, "M/L", "mass of the grains per height, rho c area");
 }
 
 Table evaluate(const JanssenFit& fit) {
@@ -66,18 +67,18 @@ Table evaluate(const JanssenFit& fit) {
       weighted ? "standard error, from those of the data" : "standard error, from the scatter of the residuals";
   Table table{{{"height", "L", "as in the file", data.height, {}},
                {"apparent_mass", "M", "as in the file", data.mass, {}},
-               {"fitted", "M", "mass by the law", result.fitted, {}},
-               {"residual", "M", "apparent_mass less fitted", residuals, {}}},
+               {"fitted", "M", "apparent mass by the fitted law", result.fitted, {}},
+               {"residual", "M", "apparent_mass minus fitted", residuals, {}}},
               {{"lambda_1", result.lambda_1, "L", "length that sets the size of the mass"},
                {"lambda_1_error", result.lambda_1_error, "L", scaled},
                {"lambda_2", result.lambda_2, "L", "length over which the mass changes"},
                {"lambda_2_error", result.lambda_2_error, "L", scaled},
                {"ratio", result.lambda_1 / result.lambda_2, "1", "lambda_1/lambda_2"},
-               {"correlation", result.correlation, "1", "of the errors of lambda_1 and lambda_2"},
+               {"correlation", result.correlation, "1", "correlation of the errors of lambda_1 and lambda_2"},
                {"chi_square", result.chi_square, weighted ? "1" : "M^2",
                 weighted ? "sum of squares of residuals over errors" : "sum of squares of residuals"},
-               {"degrees_of_freedom", freedom, "1", "rows less parameters"},
-               {"chance", chance, "1", "of so large a chi_square or larger if law and errors are right"},
+               {"degrees_of_freedom", freedom, "1", "rows minus parameters"},
+               {"chance", chance, "1", "probability of a chi_square at least as large if law and errors are right"},
                {"rms_residual", result.rms_residual, "M", "root of the mean square of the residuals"}}};
   if (weighted) {
     table.columns.push_back({"apparent_mass_error", "M", "as in the file", data.error, {}});

@@ -11,9 +11,10 @@
 
 namespace repose::theory {
 
-/// Janssen's law with one or two lengths, fitted to apparent masses of columns: a CSV file with columns height [L],
-/// apparent_mass [M] and, where they are known, apparent_mass_error [M], in any order, others left alone.
-/// Source: Bratberg's thesis (2003), eqs (25) and (38), corrected. Validated by tests/theory/screening_fit_test.cpp.
+/// Janssen's law with one or two lengths, fitted to the apparent masses of columns. They come from a CSV file with the
+/// columns height [L], apparent_mass [M] and optionally apparent_mass_error [M], in any order; other columns are
+/// ignored. Source: Bratberg's thesis (2003), eqs (25) and (38), corrected. Validated by
+/// tests/theory/screening_fit_test.cpp.
 struct JanssenFit {
   std::string file;             ///< must be given
   std::int64_t parameters = 2;  ///< 1: lambda_1 = lambda_2
@@ -27,8 +28,9 @@ struct JanssenFit {
 
 void parameters(JanssenFit& fit, Parameters& to);
 
-/// Columns height, apparent_mass, fitted, residual (mass less fitted), and apparent_mass_error where it is given.
-/// Throws InputError where the file is not as it should be or its data do not determine the lengths.
+/// A table with the columns height, apparent_mass, fitted, residual (apparent_mass minus fitted), and
+/// apparent_mass_error if the file has it. Throws InputError if the file is invalid or its data do not determine the
+/// lengths.
 Table evaluate(const JanssenFit& fit);
 
 }  // namespace repose::theory

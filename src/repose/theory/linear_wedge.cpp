@@ -13,7 +13,7 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-// A surface at the friction angle is at yield exactly: rounding alone must not count as a violation.
+// A surface at the friction angle is exactly at yield, so rounding must not count as a violation.
 double margin_of_rounding(double sin_friction) { return std::max(1e-12, 1e-14 / sin_friction); }
 constexpr double length_of_rounding = 1e-9;
 
@@ -45,14 +45,14 @@ LinearClosure bouchaud_cates_claudin(double tan_friction) {
   return {.eta = eta_of_surface_yield(0.0, tan_friction), .mu = 0.0};
 }
 
-double room_for_kink(const LinearClosure& closure, double tan_slope) {
+double kink_margin(const LinearClosure& closure, double tan_slope) {
   return 1.0 - closure.mu * tan_slope - closure.eta * tan_slope * tan_slope;
 }
 
 LinearWedge linear_wedge(const LinearClosure& closure, double tan_slope) {
   const auto [eta, mu] = closure;
   const double root = std::hypot(mu, 2.0 * std::sqrt(eta));
-  // The root without cancellation first; their product is -eta.
+  // The root without cancellation comes first; the product of the roots is -eta.
   const double larger = 0.5 * (std::abs(mu) + root);
   const double plus = mu >= 0.0 ? larger : eta / larger;
   const double minus = mu >= 0.0 ? -eta / larger : -larger;
@@ -63,9 +63,9 @@ LinearWedge linear_wedge(const LinearClosure& closure, double tan_slope) {
   wedge.lambda_plus = plus;
   wedge.lambda_minus = minus;
   wedge.s_inner = plus * tan_slope;
-  const double c = eta / room_for_kink(closure, tan_slope);
+  const double c = eta / kink_margin(closure, tan_slope);
   wedge.outer = {1.0 + c * tan_slope * tan_slope, c * tan_slope, c};
-  // room_for_kink is (1 - lambda_plus T)(1 - lambda_minus T), which leaves one factor in A = 1 - b.
+  // kink_margin is (1 - lambda_plus T)(1 - lambda_minus T), which leaves one factor in A = 1 - b.
   const double a = 1.0 / (1.0 - minus * tan_slope);
   wedge.centre = {a, 0.0, eta * a};
   wedge.normal_fall = mu * a / plus;
@@ -86,8 +86,8 @@ double yield_margin(const LinearWedge& wedge, const Ray& ray, double sin_frictio
   return yield_margin(is_outer(wedge, ray) ? wedge.outer : stress_on(wedge, ray), sin_friction);
 }
 
-// In the inner region R^2 - (P sin)^2 is a quadratic in S with a positive leading term for every friction angle: where
-// it is positive, it is so from some S on or up to some S, and R/P is largest at one of its two ends.
+// In the inner region R^2 - (P sin)^2 is a quadratic in S with a positive leading coefficient for every friction angle.
+// So it is positive below one root or above the other, and R/P is largest at one end of the region.
 YieldViolation yield_violation(const LinearWedge& wedge, double sin_friction) {
   const double core = yield_margin(wedge.centre, sin_friction);
   const double flank = yield_margin(wedge.outer, sin_friction);
@@ -99,18 +99,18 @@ YieldViolation yield_violation(const LinearWedge& wedge, double sin_friction) {
   if (!core_fails && !flank_fails) return violation;
   const auto excess = excess_of(wedge, sin_friction);
   auto [low, high] = boost::math::tools::quadratic_roots(excess.c2, excess.c1, excess.c0);
-  // Without a root the limit is exceeded everywhere, unless rounding hides the one place where it is just met.
+  // Without a root the limit is exceeded everywhere, unless rounding hides a single point where it is just met.
   const bool no_root = std::isnan(low);
   const bool everywhere = core_fails && flank_fails && (no_root || high < 0.0 || low > wedge.s_inner);
   if (no_root) low = high = -0.5 * excess.c1 / excess.c2;
   if (everywhere) return {smallest, 1.0, 0.0, 1.0};
   if (core_fails && low > length_of_rounding) {
     violation.core_to = std::min(low, wedge.s_inner);
-    violation.share += violation.core_to;
+    violation.fraction += violation.core_to;
   }
   if (flank_fails) {
     violation.flank_from = std::clamp(high, 0.0, wedge.s_inner);
-    violation.share += 1.0 - violation.flank_from;
+    violation.fraction += 1.0 - violation.flank_from;
   }
   return violation;
 }

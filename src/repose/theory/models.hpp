@@ -13,14 +13,14 @@
 
 namespace repose::theory {
 
-/// A parameter as a user meets it.
+/// A parameter as text for the user.
 struct ParameterText {
   std::string name;
-  std::string value;    ///< what it has, or its default; "" where there is none
+  std::string value;    ///< its value or default; "" if it must be given
   std::string unit;     ///< "" for words
   std::string allowed;  ///< "must be > 0 and < 60"
   std::string about;
-  bool is_set = true;  ///< false: it has no value, and `value` says what holds without
+  bool is_set = true;  ///< false: it has no value, and `value` states what holds without one
 };
 
 using Setting = std::pair<std::string, std::string>;  ///< name and value, both as written
@@ -28,30 +28,30 @@ using Setting = std::pair<std::string, std::string>;  ///< name and value, both 
 /// All models with their defaults, in the order of the registry.
 std::vector<Model> default_models();
 
-/// Names of all models, as a message lists them: "a | b | c".
+/// The names of all models for a message: "a | b | c".
 std::string model_names();
 
-/// Parameters of a model with their defaults; none for an unknown one.
+/// The parameters of a model with their defaults; empty for an unknown model.
 std::vector<ParameterText> default_parameters(std::string_view model);
 
-/// Reads "key=value"; none where it is not so written.
+/// Parses "key=value"; none if the text has another form.
 std::optional<Setting> read_setting(const std::string& written);
 
-/// A model with the settings read into it. Throws InputError with a line for every problem: unknown model or
-/// parameter, a value that is none, one outside its bounds, or values that do not go together.
+/// A model with these settings. Throws InputError with one line per problem: an unknown model or parameter, a value
+/// that cannot be parsed or is out of bounds, or values that contradict each other.
 Model make_model(std::string_view name, const std::vector<Setting>& settings);
 
 ModelText text_of(const Model& model);
 std::vector<ParameterText> parameters_of(const Model& model);
 
-/// Throws InputError where the model reads a file that is not as it should be.
+/// The prediction of the model. Throws InputError if the model reads a file and the file is invalid.
 Table predict(const Model& model);
 
-/// The table as CSV: what it is, parameters, numbers and columns in lines that begin with #, one line of names, then
-/// the rows. Numbers have the fewest digits that read back as the same bits.
+/// The table as CSV. Lines that begin with # describe the model, its parameters, the single numbers and the columns;
+/// then come one line of names and the rows. Numbers have the fewest digits that read back as the same bits.
 std::string as_csv(const Model& model, const Table& table);
 
-/// All models with their parameters, defaults, units and sources, for a reader.
+/// A text that lists all models with their parameters, defaults, units and sources.
 std::string list_of_models();
 
 }  // namespace repose::theory

@@ -16,17 +16,17 @@ namespace repose::theory {
 namespace {
 
 constexpr double not_defined = std::numeric_limits<double>::quiet_NaN();
-constexpr double at_limit = 1e-12;  // rounding of the ratio does not decide whether the limit itself is passed
+constexpr double at_limit = 1e-12;  // a ratio above 1 by less is rounding, not yield
 
 double in_degrees(double radians) { return radians * (180.0 / std::numbers::pi); }
 
-/// An angle of a plane, moved into (-90, 90].
+/// The angle of a plane, brought into (-90, 90].
 double folded(double degrees) {
   if (degrees > 90.0) return degrees - 180.0;
   return degrees <= -90.0 ? degrees + 180.0 : degrees;
 }
 
-/// a b - c d with one rounding each, so that it does not cancel (Kahan).
+/// a b - c d without cancellation (Kahan).
 double difference_of_products(double a, double b, double c, double d) {
   const double second = c * d;
   return std::fma(a, b, -second) - std::fma(c, d, -second);
@@ -35,7 +35,7 @@ double difference_of_products(double a, double b, double c, double d) {
 }  // namespace
 
 PlaneStress stress_on_plane(const Mohr& place, double plane_deg) {
-  // The functions of pi x are exactly 0 and 1 where they should be.
+  // sin_pi and cos_pi are exactly 0 and 1 at multiples of 90 degrees.
   const double cosine = boost::math::cos_pi(plane_deg / 180.0);
   const double sine = boost::math::sin_pi(plane_deg / 180.0);
   const double cosine_2 = boost::math::cos_pi(plane_deg / 90.0);
@@ -54,7 +54,7 @@ MohrCircle circle_of(const Mohr& place) {
   const double centre = 0.5 * (zz + xx);
   const double half_difference = 0.5 * (zz - xx);
   const double radius = std::hypot(half_difference, xz);
-  // The principal stress that is near 0 follows from the determinant, their product.
+  // The principal stress nearer to 0 follows from the determinant, the product of both.
   const double determinant = difference_of_products(zz, xx, xz, xz);
   const double major = centre >= 0.0 ? centre + radius : determinant / (centre - radius);
   const double minor = centre >= 0.0 ? determinant / (centre + radius) : centre - radius;
@@ -75,27 +75,31 @@ double coulomb_ratio(const Mohr& place) {
 
 void parameters(Mohr& place, Parameters& to) {
   constexpr Bounds stress{.low = -1e100, .high = 1e100};
-  to.number("s_xx", place.s_xx, stress, "stress", "horizontal, compression positive");
-  to.number("s_zz", place.s_zz, stress, "stress", "vertical, compression positive");
-  to.number("s_xz", place.s_xz, stress, "stress", "shear; positive: what lies above pushes to the right");
+  to.number("s_xx", place.s_xx, stress, "stress", "horizontal normal stress, compression positive");
+  to.number("s_zz", place.s_zz, stress, "stress", "vertical normal stress, compression positive");
+  to.number("s_xz", place.s_xz, stress, "stress",
+            "shear stress, positive if the upper side of a horizontal plane pushes the lower to the right");
   to.number("plane_deg", place.plane_deg, {.low = -90.0, .high = 90.0}, "deg",
-            "angle of the chosen plane to the horizontal, positive if it falls to the right");
+            "angle of the chosen plane from the horizontal, positive if it descends to the right");
   to.number("friction_deg", place.friction_deg, {.low = 0.0, .high = 90.0, .high_allowed = false}, "deg",
             "angle of internal friction, phi");
-  to.integer("points", place.points, {.low = 2, .high = 10'000'000}, "planes of the circle, -90 and 90 deg included");
+  to.integer("points", place.points, {.low = 2, .high = 10'000'000}, "number of planes, -90 and 90 deg included");
 }
 
 Table evaluate(const Mohr& place) {
   Column planes{.name = "plane_deg",
                 .unit = "deg",
-                .about = "angle to the horizontal, positive falling to the right",
+                .about = "angle from the horizontal, positive if it descends to the right",
                 .values = {},
                 .words = {}};
-  Column normals{
-      .name = "normal", .unit = "stress", .about = "across the plane, compression positive", .values = {}, .words = {}};
+  Column normals{.name = "normal",
+                 .unit = "stress",
+                 .about = "normal stress on the plane, compression positive",
+                 .values = {},
+                 .words = {}};
   Column shears{.name = "shear",
                 .unit = "stress",
-                .about = "along the plane on what lies below, positive down the plane and to the right",
+                .about = "shear stress on the lower side of the plane, positive down the plane and to the right",
                 .values = {},
                 .words = {}};
   for (std::int64_t i = 0; i < place.points; ++i) {
@@ -108,22 +112,22 @@ Table evaluate(const Mohr& place) {
   const auto circle = circle_of(place);
   const auto chosen = stress_on_plane(place, place.plane_deg);
   const double ratio = coulomb_ratio(place);
-  // The major stress acts across a plane that dips by minus its own angle; slip planes are 45 + phi/2 from that one.
+  // The major stress acts on a plane that dips by minus its own angle; slip planes are 45 + phi/2 from that plane.
   const double from_major = 45.0 + 0.5 * place.friction_deg;
-  const std::string slip = "plane on which slip sets in, 45 - friction_deg/2 from the major stress";
+  const std::string slip = "plane on which slip begins, 45 - friction_deg/2 from the major stress";
   return {{planes, normals, shears},
           {{"centre", circle.centre, "stress", "mean of the principal stresses, P"},
            {"radius", circle.radius, "stress", "largest shear, R"},
            {"major", circle.major, "stress", "larger principal stress"},
            {"minor", circle.minor, "stress", "smaller principal stress"},
            {"principal_angle_deg", circle.principal_angle_deg, "deg",
-            "of the major stress from the vertical, positive if its lower end points to the right"},
-           {"plane_normal", chosen.normal, "stress", "across the chosen plane"},
-           {"plane_shear", chosen.shear, "stress", "along the chosen plane"},
+            "angle of the major stress from the vertical, positive if its lower end points to the right"},
+           {"plane_normal", chosen.normal, "stress", "normal stress on the chosen plane"},
+           {"plane_shear", chosen.shear, "stress", "shear stress on the chosen plane"},
            {"coulomb_ratio", ratio, "1", "R/(P sin phi); stable while <= 1"},
            {"slip_plane_1_deg", folded(from_major - circle.principal_angle_deg), "deg", slip + ", shear positive"},
            {"slip_plane_2_deg", folded(-from_major - circle.principal_angle_deg), "deg", slip + ", shear negative"},
-           {"yields", ratio > 1.0 + at_limit ? 1.0 : 0.0, "1", "1 if the limit is passed by more than rounding"}}};
+           {"yields", ratio > 1.0 + at_limit ? 1.0 : 0.0, "1", "1 if the limit is exceeded by more than rounding"}}};
 }
 
 }  // namespace repose::theory

@@ -16,21 +16,21 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
 double isostatic_coordination(int dimension, bool friction) {
-  // Of z/2 contacts per grain each carries 1 force (d with friction); a grain has d balances of force, with friction
-  // also d(d - 1)/2 of torque.
+  // Each of the z/2 contacts per grain carries 1 force component (d with friction). A grain has d equations of force
+  // balance, and with friction also d(d - 1)/2 of torque balance.
   const double forces = friction ? dimension : 1.0;
   const double balances = dimension + (friction ? 0.5 * dimension * (dimension - 1) : 0.0);
   return 2.0 * balances / forces;
 }
 
 std::vector<PackingFact> packing_facts() {
-  const std::string counted = "counting of forces and balances; mean over grains that carry force";
+  const std::string counted = "number of forces equals number of balances; mean over grains that carry force";
   return {
       {"hexagonal", 2, pi / (2.0 * std::numbers::sqrt3), 0.0, 6.0, "pi/(2 sqrt 3), eq. (8); the densest of discs"},
       {"square", 2, pi / 4.0, 0.0, 4.0, "pi/4"},
       {"random close (steepest descent)", 2, 0.82, 0.005, 4.0,
-       "Bratberg 2003 quotes Meakin and Jullien as random close packing; it is deposition onto a disordered base in "
-       "which "
+       "Bratberg 2003 quotes Meakin and Jullien as random close packing; it is deposition onto a disordered base, "
+       "where "
        "each disc rolls down until it rests on two"},
       {"random close (pair correlations)", 2, 0.82, 0.02, unknown, "Berryman 1983, Phys. Rev. A 27, 1053"},
       {"maximally random jammed", 2, 0.826, unknown, unknown,
@@ -40,18 +40,18 @@ std::vector<PackingFact> packing_facts() {
       {"isostatic without friction", 2, unknown, unknown, isostatic_coordination(2, false), counted},
       {"isostatic with friction", 2, unknown, unknown, isostatic_coordination(2, true), counted},
       {"face-centred cubic", 3, pi / (3.0 * std::numbers::sqrt2), 0.0, 12.0,
-       "pi/(3 sqrt 2); the densest of spheres; body-centred in the text of the thesis"},
-      {"hexagonal close", 3, pi / (3.0 * std::numbers::sqrt2), 0.0, 12.0, "pi/(3 sqrt 2); as dense"},
+       "pi/(3 sqrt 2); the densest of spheres; called body-centred in the text of the thesis"},
+      {"hexagonal close", 3, pi / (3.0 * std::numbers::sqrt2), 0.0, 12.0, "pi/(3 sqrt 2); equally dense"},
       {"body-centred cubic", 3, pi * std::numbers::sqrt3 / 8.0, 0.0, 8.0, "pi sqrt 3/8"},
       {"simple cubic", 3, pi / 6.0, 0.0, 6.0, "pi/6"},
       {"random close (as in the thesis)", 3, 0.635, 0.0005, unknown,
-       "Bratberg 2003 quotes Scott 1960, Nature 188, 908; extrapolated to infinite cylinders"},
+       "Scott 1960, Nature 188, 908, quoted by Bratberg 2003; extrapolated to infinite cylinders"},
       {"random close (steel balls)", 3, 0.6366, 0.0005, unknown, "Scott and Kilgour 1969, J. Phys. D 2, 863"},
       {"random close (pair correlations)", 3, 0.64, 0.02, unknown, "Berryman 1983, Phys. Rev. A 27, 1053"},
       {"random loose (no gravity)", 3, 0.555, 0.005, unknown,
-       "Onoda and Liniger 1990, Phys. Rev. Lett. 64, 2727; spheres sunk in liquids of nearly their density"},
+       "Onoda and Liniger 1990, Phys. Rev. Lett. 64, 2727; spheres that sank in liquids of nearly their density"},
       {"random loose (rough spheres)", 3, 0.550, 0.001, unknown,
-       "Jerkins et al. 2008, Phys. Rev. Lett. 101, 018301; limit of no pressure"},
+       "Jerkins et al. 2008, Phys. Rev. Lett. 101, 018301; limit of zero pressure"},
       {"isostatic without friction", 3, unknown, unknown, isostatic_coordination(3, false), counted},
       {"isostatic with friction", 3, unknown, unknown, isostatic_coordination(3, true), counted},
   };
@@ -62,13 +62,13 @@ void parameters(Packing& packing, Parameters& to) {
 }
 
 Table evaluate(const Packing& packing) {
-  Column names{.name = "name", .unit = "", .about = "packing", .values = {}, .words = {}};
+  Column names{.name = "name", .unit = "", .about = "kind of packing", .values = {}, .words = {}};
   Column dimensions{.name = "dimension", .unit = "1", .about = "2: discs, 3: spheres", .values = {}, .words = {}};
   Column fractions{
-      .name = "solid_fraction", .unit = "1", .about = "area or volume of grains over all", .values = {}, .words = {}};
+      .name = "solid_fraction", .unit = "1", .about = "area or volume of grains over total", .values = {}, .words = {}};
   Column errors{.name = "error",
                 .unit = "1",
-                .about = "of solid_fraction as the source has it; 0: exact",
+                .about = "error of solid_fraction, from the source; 0: exact",
                 .values = {},
                 .words = {}};
   Column coordinations{.name = "coordination", .unit = "1", .about = "contacts per grain", .values = {}, .words = {}};

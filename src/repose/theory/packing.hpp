@@ -11,8 +11,8 @@
 
 namespace repose::theory {
 
-/// What is known of packings of equal discs and spheres: lattices, random packings, counts of contacts.
-/// Source: Bratberg's thesis (2003), sections 2.1 and 2.2, and what is named in each row.
+/// Known solid fractions and coordination numbers of packings of equal discs and spheres: lattices, random packings,
+/// isostatic counts. Source: Bratberg's thesis (2003), sections 2.1 and 2.2, and the sources named in the rows.
 /// Validated by tests/theory/packing_test.cpp, which builds the lattices.
 struct Packing {
   std::string dimension = "all";  ///< all | 2 | 3
@@ -22,24 +22,24 @@ struct Packing {
                                   .source = "Bratberg 2003 (thesis), sections 2.1-2.2; sources of the rows"};
 };
 
-/// One packing; not-a-number where nothing is known.
+/// One packing; unknown numbers are NaN.
 struct PackingFact {
   std::string name;
   int dimension = 0;
   double solid_fraction = std::numeric_limits<double>::quiet_NaN();
-  double error = std::numeric_limits<double>::quiet_NaN();  ///< of solid_fraction; 0: exact
+  double error = std::numeric_limits<double>::quiet_NaN();  ///< error of solid_fraction; 0: exact
   double coordination = std::numeric_limits<double>::quiet_NaN();
   std::string source;
 };
 std::vector<PackingFact> packing_facts();
 
-/// Contacts per grain that make forces and balances equal in number: 2 d without friction; with it each contact has d
-/// forces, each grain also balances torques, and d + 1 is left.
+/// The number of contacts per grain for which forces and balances are equal in number: 2 d without friction; d + 1 with
+/// friction, where each contact has d force components and each grain also balances torques.
 double isostatic_coordination(int dimension, bool friction);
 
 void parameters(Packing& packing, Parameters& to);
 
-/// Columns name, dimension, solid_fraction, error, coordination, source.
+/// A table with the columns name, dimension, solid_fraction, error, coordination and source.
 Table evaluate(const Packing& packing);
 
 }  // namespace repose::theory

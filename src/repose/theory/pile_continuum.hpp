@@ -10,11 +10,11 @@
 
 namespace repose::theory {
 
-/// Close-packed pile of infinitely small discs, whose weight runs down the two lattice directions at 60 degrees.
-/// Source: Liffman et al. (1992), eqs (49)-(59). Validated by tests/theory/pile_continuum_test.cpp.
+/// A close-packed pile of infinitely small discs, whose weight is carried along the two lattice directions at 60
+/// degrees. Source: Liffman et al. (1992), eqs (49)-(59). Validated by tests/theory/pile_continuum_test.cpp.
 struct PileContinuum {
-  double slope_deg = 30.0;    ///< of both flanks, in (0, 60)
-  std::int64_t points = 201;  ///< along the base
+  double slope_deg = 30.0;    ///< slope of both flanks, in (0, 60)
+  std::int64_t points = 201;  ///< positions along the base
 
   static constexpr ModelText text{.name = "pile-continuum",
                                   .about = "Base forces of a close-packed triangular pile in the continuum limit",
@@ -26,7 +26,8 @@ BaseForce base_force(const PileContinuum& model, double x_over_b);
 
 void parameters(PileContinuum& model, Parameters& to);
 
-/// Columns x_over_b, normal, shear (chi g B); numbers weight, x_c, plateau_half_width and plateau_normal.
+/// A table with the columns x_over_b, normal and shear (chi g B), and the numbers weight, x_c, plateau_half_width and
+/// plateau_normal.
 Table evaluate(const PileContinuum& model);
 
 }  // namespace repose::theory

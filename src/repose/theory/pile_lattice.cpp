@@ -13,7 +13,7 @@ namespace {
 
 constexpr double half_sqrt3 = 0.5 * std::numbers::sqrt3;
 
-/// Centres on the surface are kept: rounding must not decide.
+/// Centres on the surface belong to the pile, independently of rounding.
 constexpr double surface_tolerance = 1e-9;
 
 /// Whether the disc `up` rows above base disc i, on the diagonal to the left, is in the pile.
@@ -24,8 +24,8 @@ bool is_kept(double tan_slope, std::int64_t base_count, std::int64_t i, std::int
   return x >= 0.0 && y <= tan_slope * from_foot + surface_tolerance;
 }
 
-/// Up a diagonal y grows by half sqrt3 a row and its bound by at most tan(slope)/2, no more: what is kept is without
-/// gaps. So the count follows from where the diagonal meets either flank, and is then put right for rounding.
+/// Along a diagonal y grows by half sqrt3 per row and its bound by at most tan(slope)/2, so the discs in the pile have
+/// no gaps. The count follows from where the diagonal meets a flank, and is then corrected for rounding.
 std::int64_t count_up_left(double tan_slope, std::int64_t base_count, std::int64_t i) {
   const double left = tan_slope * static_cast<double>(i) / (half_sqrt3 + 0.5 * tan_slope);
   const double right_slack = half_sqrt3 - 0.5 * tan_slope;
@@ -62,7 +62,8 @@ void parameters(PileLattice& model, Parameters& to) {
 }
 
 Table evaluate(const PileLattice& model) {
-  Column x{"x_over_b", "1", "place of a base disc, from the left one's centre to the right one's", {}, {}};
+  Column x{
+      "x_over_b", "1", "position of a base disc, from the centre of the first (0) to that of the last (1)", {}, {}};
   Column normal{"normal", "m g", "downward force of a base disc on the ground", {}, {}};
   Column shear{"shear", "m g", "force of a base disc on the ground to the right", {}, {}};
   const double tan_slope = tan_slope_of(model);
@@ -77,8 +78,8 @@ Table evaluate(const PileLattice& model) {
     shear.values.push_back(force.shear);
   }
   return {{std::move(x), std::move(normal), std::move(shear)},
-          {{"discs", static_cast<double>(discs), "1", "in the pile"},
-           {"weight", static_cast<double>(discs), "m g", "of the pile: the sum of normal"}}};
+          {{"discs", static_cast<double>(discs), "1", "number of discs in the pile"},
+           {"weight", static_cast<double>(discs), "m g", "weight of the pile: the sum of normal"}}};
 }
 
 }  // namespace repose::theory

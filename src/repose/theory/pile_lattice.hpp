@@ -10,13 +10,13 @@
 
 namespace repose::theory {
 
-/// Close-packed pile of equal hard discs of any slope up to 60 degrees: the lattice centres (x, y), in diameters, with
-/// y <= tan(slope) min(x, base_count - 1 - x) + 1e-9. Contacts along rows carry nothing, so that each disc gives half
-/// its weight over cos(30) to each of the two lattice diagonals that lead down from it. No disc is steeper than its
-/// supports: where a centre is kept, the two below are.
+/// A close-packed pile of equal hard discs with any slope up to 60 degrees: the lattice centres (x, y), in diameters,
+/// with y <= tan(slope) min(x, base_count - 1 - x) + 1e-9. If a centre belongs to the pile, so do the two below it.
+/// Contacts along rows carry no force, so each disc puts half its weight over cos(30) on each of the two lattice
+/// diagonals that lead down from it.
 /// Source: Liffman et al. (1992), eqs (37)-(44), here for any slope. Validated by tests/theory/pile_lattice_test.cpp.
 struct PileLattice {
-  double slope_deg = 30.0;       ///< of both flanks, in (0, 60]
+  double slope_deg = 30.0;       ///< slope of both flanks, in (0, 60]
   std::int64_t base_count = 45;  ///< discs in the base row
 
   static constexpr ModelText text{.name = "pile-lattice",
@@ -24,15 +24,16 @@ struct PileLattice {
                                   .source = "Liffman, Chan and Hughes 1992, eqs (37)-(44), for any slope"};
 };
 
-/// Discs on the lattice diagonal that goes up to the left from base disc i, counted from 0, that one included.
+/// The number of discs on the lattice diagonal from base disc i (counted from 0, and included) up to the left.
 std::int64_t discs_up_left(const PileLattice& model, std::int64_t i);
 
-/// Force of base disc i, counted from 0, on the ground, in weights of a disc.
+/// The force of base disc i (counted from 0) on the ground, in weights of a disc.
 BaseForce base_force(const PileLattice& model, std::int64_t i);
 
 void parameters(PileLattice& model, Parameters& to);
 
-/// Columns x_over_b (disc i of n at i/(n - 1)), normal, shear (m g); numbers discs and weight.
+/// A table with the columns x_over_b (disc i of n at i/(n - 1)), normal and shear (m g), and the numbers discs and
+/// weight.
 Table evaluate(const PileLattice& model);
 
 }  // namespace repose::theory

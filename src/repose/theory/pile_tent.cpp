@@ -17,16 +17,17 @@ constexpr double dip_of_rounding = 1e-12;
 double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
 double sine(double degrees) { return std::sin(radians(degrees)); }
 
-/// A lattice line that goes up to the left through each corner of the surface (left foot, left break, apex, right
-/// break, right foot) meets the base at `place`, and is `length` long. In between lengths are linear.
+/// The lattice lines from the base up to the left that end at the corners of the surface: left foot, left break, apex,
+/// right break, right foot. Between the corners lengths are linear in the position.
 struct Corners {
-  std::array<double, 5> place{};
-  std::array<double, 5> length{};
+  std::array<double, 5> foot{};    // x/B where the line meets the base
+  std::array<double, 5> length{};  // of the line, in B
 };
 
-/// Along a straight piece of surface of width w and slope a, the place moves by w sin(60 +- a)/(cos a sin 60), plus
-/// where the surface rises; 60 - a is taken in degrees, where it is exact.
-double move(double width, double slope_deg, double rising) {
+/// The distance between the feet of two lines whose ends lie on a straight part of the surface with width w and slope
+/// a: w sin(60 +- a)/(cos a sin 60), with plus where the surface rises. 60 - a is computed in degrees, where it is
+/// exact.
+double between_feet(double width, double slope_deg, double rising) {
   return width * sine(60.0 + rising * slope_deg) / (sine(60.0) * std::cos(radians(slope_deg)));
 }
 
@@ -38,22 +39,22 @@ Corners corners_of(const PileTent& model) {
   constexpr double per_height = 2.0 / std::numbers::sqrt3;
   Corners corners;
   corners.length = {0.0, per_height * height_at_break, per_height * height, per_height * height_at_break, 0.0};
-  corners.place[1] = move(lower, model.lower_slope_deg, 1.0);
-  corners.place[2] = corners.place[1] + move(upper, model.upper_slope_deg, 1.0);
-  corners.place[3] = 1.0 - move(lower, model.lower_slope_deg, -1.0);
-  corners.place[4] = 1.0;
+  corners.foot[1] = between_feet(lower, model.lower_slope_deg, 1.0);
+  corners.foot[2] = corners.foot[1] + between_feet(upper, model.upper_slope_deg, 1.0);
+  corners.foot[3] = 1.0 - between_feet(lower, model.lower_slope_deg, -1.0);
+  corners.foot[4] = 1.0;
   return corners;
 }
 
-/// Length of the line up to the left from x; `to_right_foot` is 1 - x.
+/// The length of the line from x up to the left; `to_right_foot` is 1 - x.
 double length_up_left(const Corners& corners, double x, double to_right_foot) {
-  const auto& place = corners.place;
+  const auto& foot = corners.foot;
   const auto& length = corners.length;
   std::size_t i = 1;
-  while (i < 4 && x > place[i]) ++i;
-  if (i == 4) return length[3] * to_right_foot / (1.0 - place[3]);
-  const double from = x - place[i - 1];
-  const double to = place[i] - x;
+  while (i < 4 && x > foot[i]) ++i;
+  if (i == 4) return length[3] * to_right_foot / (1.0 - foot[3]);
+  const double from = x - foot[i - 1];
+  const double to = foot[i] - x;
   return (length[i - 1] * to + length[i] * from) / (from + to);
 }
 
@@ -72,8 +73,8 @@ void parameters(PileTent& model, Parameters& to) {
   to.number("lower_slope_deg", model.lower_slope_deg, slopes, "deg", "slope from the foot to the break");
   to.number("upper_slope_deg", model.upper_slope_deg, slopes, "deg", "slope from the break to the apex");
   to.number("break_at", model.break_at, {.low = 0.0, .high = 0.5, .low_allowed = false}, "B",
-            "place of the break, from the nearer foot");
-  to.integer("points", model.points, {.low = 2, .high = 10'000'000}, "places along the base, both feet included");
+            "distance of the break from the nearer foot, along the base");
+  to.integer("points", model.points, {.low = 2, .high = 10'000'000}, "positions along the base, both feet included");
 }
 
 Table evaluate(const PileTent& model) {
@@ -82,18 +83,18 @@ Table evaluate(const PileTent& model) {
   // The profile is linear between the corners and their mirror images.
   const double centre = force_at(corners, 0.5).normal;
   double peak = centre;
-  for (const double place : corners.place) peak = std::max(peak, force_at(corners, place).normal);
+  for (const double x : corners.foot) peak = std::max(peak, force_at(corners, x).normal);
   const double depth = 1.0 - centre / peak;
   const bool dip = depth > dip_of_rounding;
-  // Each lattice direction carries half of the weight, and its lines are a share sqrt(3)/2 of their spacing on the
-  // base apart: the integral of the lengths is the area over that.
+  // Each lattice direction carries half of the weight. The distance between its lines is sqrt(3)/2 of their spacing on
+  // the base, so the integral of the lengths over the base is the area divided by that.
   const double break_height = model.break_at * std::tan(radians(model.lower_slope_deg));
   const double rise = (0.5 - model.break_at) * std::tan(radians(model.upper_slope_deg));
   const double area = break_height * (1.0 - model.break_at) + rise * (0.5 - model.break_at);
   table.numbers = {{"weight", 2.0 / std::numbers::sqrt3 * area, "chi g B^2", "integral of normal over the base"},
                    {"centre_normal", centre, "chi g B", "normal at the centre"},
                    {"peak_normal", peak, "chi g B", "largest normal"},
-                   {"dip", dip ? 1.0 : 0.0, "1", "1 where the normal force has a minimum at the centre, else 0"},
+                   {"dip", dip ? 1.0 : 0.0, "1", "1 if the normal force has a minimum at the centre, else 0"},
                    {"dip_depth", dip ? depth : 0.0, "1", "1 - centre_normal / peak_normal"}};
   return table;
 }

@@ -10,18 +10,18 @@
 
 namespace repose::theory {
 
-/// Vertical stress at depth h below a vertical force F on a level surface, plane strain, lengths in h and stresses in
-/// F/h. Three answers: isotropic elasticity (elliptic; Flamant's half plane, or a layer on a rigid floor), OSL, the
-/// closure sxx = eta szz + mu sxz (hyperbolic; two rays), and diffusion, the mean of the q-model (parabolic). Sources:
-/// Johnson, Contact Mechanics (1985), ch. 2; Bouchaud, Cates and Claudin (1995); Bratberg (2003), eqs (41)-(43), (50).
-/// Derived in docs/theory/point-load.md; validated by tests/theory/point_load_test.cpp.
+/// The vertical stress at depth h below a vertical force F on a level surface, in plane strain. Lengths are in h,
+/// stresses in F/h. It has three answers: isotropic elasticity (elliptic; Flamant's half plane, or a layer on a rigid
+/// floor); OSL, the closure sxx = eta szz + mu sxz (hyperbolic; two rays); and diffusion, the mean of the q-model
+/// (parabolic). Source: Johnson, Contact Mechanics (1985), ch. 2; Bouchaud, Cates and Claudin (1995); Bratberg (2003),
+/// eqs (41)-(43), (50); derived in docs/theory/point-load.md. Validated by tests/theory/point_load_test.cpp.
 struct PointLoad {
-  double load_width = 0.1;                 ///< [h] of the strip that carries the force evenly; 0: a point
+  double load_width = 0.1;                 ///< [h] width of the strip that carries the force evenly; 0: a point
   std::string floor = "none";              ///< at depth h: none (half plane), smooth-rigid, rough-rigid
-  double poisson = 0.125;                  ///< of plane strain, in [0, 1/2]; a rough floor depends on it
-  double eta = 1.0 / 3.0;                  ///< of OSL, > 0
-  double mu = 0.0;                         ///< of OSL
-  double depth = 20.0;                     ///< h in grain diameters; the width of the diffusive response depends on it
+  double poisson = 0.125;                  ///< in plane strain, in [0, 1/2]; only a rough floor depends on it
+  double eta = 1.0 / 3.0;                  ///< eta of OSL, > 0
+  double mu = 0.0;                         ///< mu of OSL
+  double depth = 20.0;                     ///< h in grain diameters; sets the width of the diffusive response
   double diffusion = 0.28867513459481287;  ///< [d] variance of the diffusive response per depth: d/(2 sqrt 3)
   double half_range = 2.0;                 ///< [h]
   std::int64_t points = 401;
@@ -32,14 +32,14 @@ struct PointLoad {
       .source = "Flamant; Johnson 1985, ch. 2; Bouchaud et al. 1995; Bratberg 2003, eqs (41)-(43), (50)"};
 };
 
-/// Vertical stress [F/h] of the elastic medium at x [h] from the load.
+/// The vertical stress [F/h] of the elastic medium at x [h] from the load.
 double elastic_stress(const PointLoad& model, double x_over_h);
 
-/// Vertical stress on the floor of a layer per vertical stress on its surface, both cos(m x/h).
+/// The amplitude of the vertical stress on the floor of a layer divided by that on its surface, both as cos(m x/h).
 double floor_transfer(const PointLoad& model, double m);
 
-/// The two rays of OSL at x/h = right > 0 and left < 0, roots of c^2 - mu c - eta = 0. With all of F vertical and no
-/// horizontal force their weights are -left/(right - left) and right/(right - left).
+/// The two rays of OSL at x/h = right > 0 and left < 0, the roots of c^2 - mu c - eta = 0. F is vertical, so their
+/// weights are -left/(right - left) for the right ray and right/(right - left) for the left one.
 struct Rays {
   double left = 0.0;
   double right = 0.0;
@@ -48,15 +48,15 @@ struct Rays {
 };
 Rays rays(const PointLoad& model);
 
-/// Vertical stress [F/h] of OSL: a box of load_width around each ray, half as high at its very edges.
+/// The vertical stress [F/h] of OSL: a box of width load_width around each ray, half as high exactly at its edges.
 double osl_stress(const PointLoad& model, double x_over_h);
 
-/// Vertical stress [F/h] by diffusion: a Gaussian of variance diffusion/depth, spread over load_width.
+/// The vertical stress [F/h] by diffusion: a Gaussian of variance diffusion/depth, averaged over load_width.
 double diffusive_stress(const PointLoad& model, double x_over_h);
 
 void parameters(PointLoad& model, Parameters& to);
 
-/// Columns x_over_h, elastic, osl (not for a point), diffusive; numbers of the rays.
+/// A table with the columns x_over_h, elastic, osl (not for a point load) and diffusive, and the numbers of the rays.
 Table evaluate(const PointLoad& model);
 
 }  // namespace repose::theory

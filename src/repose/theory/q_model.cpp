@@ -18,7 +18,7 @@ namespace repose::theory {
 
 namespace {
 
-/// Mean and standard error of a quantity that independent runs give, gathered one by one (Welford).
+/// The mean and standard error of a quantity over independent runs, added one by one (Welford).
 struct BetweenRuns {
   double mean = 0.0;
   double squares = 0.0;
@@ -33,7 +33,7 @@ struct BetweenRuns {
   double error() const { return std::sqrt(squares / (count - 1.0) / count); }
 };
 
-/// Mean of (w/mean - 1)^2 over the sites of a layer.
+/// The mean of (w/mean - 1)^2 over the sites of a layer.
 double spread(const std::vector<double>& weights, double mean) {
   double sum = 0.0;
   for (const double w : weights) sum += (w / mean - 1.0) * (w / mean - 1.0);
@@ -47,8 +47,8 @@ Table variance_table(const QModel& model) {
       if (layer > 0) runs[static_cast<std::size_t>(layer - 1)].add(spread(weights, mean_weight(model, layer)));
     });
   }
-  Column layers{"layer", "1", "D, from the top", {}, {}};
-  Column variance{"variance", "1", "of the weight of a site per mean^2, mean of the runs", {}, {}};
+  Column layers{"layer", "1", "D, counted from the top", {}, {}};
+  Column variance{"variance", "1", "variance of the weight of a site over mean^2, mean of the runs", {}, {}};
   Column error{"variance_error", "1", "standard error between the runs", {}, {}};
   Column exact{"exact", "1", "variance by the exact recursion of the two-point moments", {}, {}};
   exact.values = exact_variance(model);
@@ -61,7 +61,7 @@ Table variance_table(const QModel& model) {
   return {{std::move(layers), std::move(variance), std::move(error), std::move(exact)}, {}};
 }
 
-/// The bin of a weight per mean; `bins` where it lies beyond the last.
+/// The bin of a weight in units of the mean; `bins` if it lies beyond the last.
 std::size_t bin_of(const QModel& model, double weight) {
   const double place = weight / model.largest * static_cast<double>(model.bins);
   return static_cast<std::size_t>(std::min(place, static_cast<double>(model.bins)));
@@ -85,10 +85,10 @@ Table distribution_table(const QModel& model) {
   }
   Table table;
   Column centre{"weight", "mean weight", "middle of a bin", {}, {}};
-  Column dense{"density", "1 / mean weight", "of weights in the last layer, mean of the runs", {}, {}};
+  Column dense{"density", "1 / mean weight", "density of weights in the last layer, mean of the runs", {}, {}};
   Column error{"density_error", "1 / mean weight", "standard error between the runs", {}, {}};
   Column exact{"exact", "1 / mean weight", "Gamma(N r) distribution, at the middle of the bin", {}, {}};
-  Column in_bin{"exact_in_bin", "1 / mean weight", "its mean over the bin", {}, {}};
+  Column in_bin{"exact_in_bin", "1 / mean weight", "Gamma(N r) distribution, averaged over the bin", {}, {}};
   const double shape = static_cast<double>(model.neighbours) * shape_of(model);
   const bool known = shape > 0.0 && std::isfinite(shape);
   for (std::size_t k = 0; k < bins; ++k) {
@@ -106,11 +106,11 @@ Table distribution_table(const QModel& model) {
     table.columns.push_back(std::move(exact));
     table.columns.push_back(std::move(in_bin));
   }
-  table.numbers = {
-      {"beyond", density[bins].mean * bin, "1", "fraction of the weights that lie beyond the last bin"},
-      {"variance", variance.mean, "1", "of the weight of a site per mean^2, mean of the runs"},
-      {"variance_error", variance.error(), "1", "standard error between the runs"},
-      {"variance_exact", exact_variance(model).back(), "1", "by the exact recursion of the two-point moments"}};
+  table.numbers = {{"beyond", density[bins].mean * bin, "1", "fraction of the weights beyond the last bin"},
+                   {"variance", variance.mean, "1", "variance of the weight of a site over mean^2, mean of the runs"},
+                   {"variance_error", variance.error(), "1", "standard error between the runs"},
+                   {"variance_exact", exact_variance(model).back(), "1",
+                    "variance by the exact recursion of the two-point moments"}};
   return table;
 }
 
@@ -143,19 +143,21 @@ double mean_weight(const QModel& model, std::int64_t layer) {
 
 void parameters(QModel& model, Parameters& to) {
   to.integer("width", model.width, {.low = 2, .high = 1'000'000}, "sites in a layer");
-  to.integer("layers", model.layers, {.low = 1, .high = 1'000'000}, "that weight is passed through");
-  to.integer("neighbours", model.neighbours, {.low = 2, .high = 100}, "N, sites below that a site gives to");
+  to.integer("layers", model.layers, {.low = 1, .high = 1'000'000}, "number of layers below the first");
+  to.integer("neighbours", model.neighbours, {.low = 2, .high = 100},
+             "N, sites below to which a site gives its weight");
   to.choice("distribution", model.distribution, {"uniform", "dirichlet", "fixed", "critical"},
-            "of the fractions q: uniform where they add up to 1, Dirichlet of a shape, 1/N each, all to one");
+            "of the fractions q, whose sum is 1: uniform, Dirichlet with a shape, 1/N each, or all to one site");
   to.number("shape", model.shape, {.low = 0.01, .high = 1e4}, "1", "r of the Dirichlet distribution; 1 is uniform");
   to.choice("edges", model.edges, {"periodic", "walls"},
-            "at a wall a site gives all to those of its neighbours that are inside");
+            "with walls, a site beside one gives all its weight to its neighbours inside");
   to.integer("injection", model.injection, {.low = 0, .high = 1}, "weight of each grain");
   to.choice("start", model.start, {"zero", "gamma"}, "weights of layer 0: none, or Gamma(N r) of mean 1");
-  to.integer("runs", model.runs, {.low = 2, .high = 100'000}, "independent runs; standard errors are between them");
-  to.integer("seed", model.seed, {.low = 0}, "of the random numbers");
-  to.choice("output", model.output, {"distribution", "variance"}, "of weights in the last layer, or by layer");
-  to.integer("bins", model.bins, {.low = 1, .high = 100'000}, "of the distribution");
+  to.integer("runs", model.runs, {.low = 2, .high = 100'000}, "independent runs, whose scatter gives standard errors");
+  to.integer("seed", model.seed, {.low = 0}, "seed of the random numbers");
+  to.choice("output", model.output, {"distribution", "variance"},
+            "distribution of weights in the last layer, or their variance in each layer");
+  to.integer("bins", model.bins, {.low = 1, .high = 100'000}, "bins of the distribution");
   to.number("largest", model.largest, {.low = 0.0, .low_allowed = false}, "mean weight", "end of the last bin");
 }
 
@@ -170,11 +172,11 @@ std::vector<std::string> relations(const QModel& model) {
         fmt::format("start = gamma: needs distribution = uniform | dirichlet, not {}", model.distribution));
   }
   if (model.start == "zero" && model.injection == 0) {
-    problems.emplace_back("injection = 0: needs start = gamma; else there is no weight at all");
+    problems.emplace_back("injection = 0: needs start = gamma; otherwise all weights are 0");
   }
   if (model.edges == "walls" && model.width > 4000) {
-    problems.push_back(
-        fmt::format("width = {}: must be <= 4000 with edges = walls (exact moments of all pairs)", model.width));
+    problems.push_back(fmt::format(
+        "width = {}: must be <= 4000 with edges = walls (exact moments of all pairs of sites)", model.width));
   }
   return problems;
 }

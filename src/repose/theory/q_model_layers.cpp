@@ -14,7 +14,7 @@ namespace repose::theory {
 
 namespace {
 
-/// Random numbers of one site of one layer of one run.
+/// The random numbers of one site in one layer of one run.
 struct Stream {
   std::uint64_t seed;
   std::uint64_t index;
@@ -22,8 +22,8 @@ struct Stream {
   double next() { return uniform(seed, Purpose::force_fraction, index, draw++); }  // in [0, 1)
 };
 
-/// Logarithm of a Gamma(shape) variate: Marsaglia & Tsang (2000), whose variate of shape + 1 times U^(1/shape) is one
-/// of shape. As a logarithm it does not underflow at small shapes.
+/// The logarithm of a Gamma(shape) variate, by Marsaglia & Tsang (2000): a variate of shape + 1, times U^(1/shape). The
+/// logarithm does not underflow for small shapes.
 double log_gamma_variate(double shape, Stream& random) {
   const double d = shape + 1.0 - 1.0 / 3.0;
   const double c = 1.0 / std::sqrt(9.0 * d);
@@ -48,8 +48,8 @@ Kind kind_of(const QModel& model) {
   return model.distribution == "fixed" ? Kind::fixed : Kind::critical;
 }
 
-/// Draws the fractions of all but the last receiver into the front of `fractions`; the last gets what is left, so that
-/// weight is conserved to rounding.
+/// Draws the fractions of the receivers into the front of `fractions`. The entry of the last receiver is not used: it
+/// gets the rest, so that weight is conserved to rounding.
 void draw_fractions(Kind kind, double shape, std::size_t count, Stream random, std::vector<double>& fractions) {
   if (kind == Kind::fixed) {
     std::fill_n(fractions.begin(), count, 1.0 / static_cast<double>(count));

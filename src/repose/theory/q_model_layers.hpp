@@ -9,8 +9,8 @@
 
 namespace repose::theory {
 
-/// Weights (width) of a run of the model, shown layer by layer from layer 0. A pure function of the model and the
-/// number of the run: no two fractions anywhere share a random number.
+/// Calls show(layer, weights) for every layer of a run, from layer 0; weights has `width` entries. The weights are a
+/// pure function of the model and the number of the run. No two fractions use the same random number.
 void each_layer(const QModel& model, std::int64_t run,
                 const std::function<void(std::int64_t layer, const std::vector<double>& weights)>& show);
 

@@ -12,7 +12,7 @@ namespace {
 
 using Row = std::vector<double>;
 
-/// Variance of a starting weight, per mean^2, at a site that gives to `count`: Gamma(count r), of mean count/N.
+/// The variance of a starting weight at a site with `count` receivers: Gamma(count r) with mean count/N.
 double starting_square(const QModel& model, std::int64_t count) {
   const double mean = static_cast<double>(count) / static_cast<double>(model.neighbours);
   return mean * mean / (static_cast<double>(count) * shape_of(model));
@@ -33,7 +33,7 @@ std::vector<double> periodic_variance(const QModel& model) {
     if (layer == model.layers) return variance;
     std::ranges::fill(next, 0.0);
     const double square = covariance[0] + m * m;
-    for (std::int64_t apart = 1 - n; apart < n; ++apart) {  // k - l, met by n - |apart| pairs; the same for -apart
+    for (std::int64_t apart = 1 - n; apart < n; ++apart) {  // k - l, which n - |apart| pairs have; same for -apart
       const auto pairs = static_cast<double>(n - std::abs(apart));
       const auto shift = static_cast<std::size_t>(apart < 0 ? apart + model.width : apart);
       const double factor = pairs * mean_square;
@@ -49,16 +49,16 @@ std::vector<double> periodic_variance(const QModel& model) {
   }
 }
 
-/// rows <- P rows, with P the mean fractions of a layer: every row of sites gives in equal shares.
-void pass_on(const QModel& model, std::int64_t layer, const Row& rows, std::size_t length, Row& to) {
+/// to = P rows, where P is the matrix of the mean fractions of a layer: a site gives equal fractions to its receivers.
+void apply_mean_fractions(const QModel& model, std::int64_t layer, const Row& rows, std::size_t length, Row& to) {
   std::ranges::fill(to, 0.0);
   for (std::int64_t i = 0; i < model.width; ++i) {
     const auto r = receivers(model, layer, i);
-    const double share = 1.0 / static_cast<double>(r.count());
+    const double fraction = 1.0 / static_cast<double>(r.count());
     const auto* from = rows.data() + static_cast<std::size_t>(i) * length;
     for (auto j = r.first; j < r.last; ++j) {
       auto* row = to.data() + static_cast<std::size_t>(j) * length;
-      for (std::size_t k = 0; k < length; ++k) row[k] += share * from[k];
+      for (std::size_t k = 0; k < length; ++k) row[k] += fraction * from[k];
     }
   }
 }
@@ -98,9 +98,9 @@ std::vector<double> walled_variance(const QModel& model) {
     if (layer == model.layers) return variance;
     Row diagonal(width);
     for (std::size_t i = 0; i < width; ++i) diagonal[i] = squares[i * width + i] + mean[i] * mean[i];
-    pass_on(model, layer, squares, width, half);
+    apply_mean_fractions(model, layer, squares, width, half);
     transpose(half, width, flipped);
-    pass_on(model, layer, flipped, width, squares);
+    apply_mean_fractions(model, layer, flipped, width, squares);
     for (std::int64_t i = 0; i < model.width; ++i) {
       const auto r = receivers(model, layer, i);
       const auto count = static_cast<double>(r.count());
@@ -113,7 +113,7 @@ std::vector<double> walled_variance(const QModel& model) {
         }
       }
     }
-    pass_on(model, layer, mean, 1, next_mean);
+    apply_mean_fractions(model, layer, mean, 1, next_mean);
     for (auto& one : next_mean) one += injection;
     mean.swap(next_mean);
   }

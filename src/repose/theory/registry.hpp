@@ -19,7 +19,7 @@
 
 namespace repose::theory {
 
-/// Every model: a new one is its header and one entry here.
+/// Every model. A new model needs its header and one entry here.
 using Model = std::variant<PileLattice, PileContinuum, PileTent, Osl, Janssen, JanssenDiscrete, JanssenFit, Mohr,
                            QuasiElastic, QModel, Packing, PointLoad>;
 

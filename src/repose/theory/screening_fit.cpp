@@ -26,9 +26,9 @@ double exp_minus_line(double z) {
   return 0.5 * z * z * (1.0 + sum);
 }
 
-/// Sums over the rows at one lambda_2, of the shape f = 1 - exp(-y), y = +-h/lambda_2, and of p = f - y exp(-y), its
-/// derivative by ln(lambda_2) plus itself; unlike the derivative p is not parallel to f for long lambda_2. Pushed up,
-/// both are times -exp(-y) of the highest column, so that nothing overflows.
+/// Sums over the rows at one lambda_2. f = 1 - exp(-y), y = +-h/lambda_2, is the shape of the law; p = f - y exp(-y) is
+/// f plus its derivative with respect to ln(lambda_2). Unlike the derivative, p is not parallel to f for long lambda_2.
+/// If pushed up, both are multiplied by -exp(-y) of the highest column, so that nothing overflows.
 struct Sums {
   double ff = 0.0;
   double fp = 0.0;
@@ -68,7 +68,7 @@ class Problem {
     return all;
   }
 
-  /// Mass per shape.
+  /// The factor between the fitted mass and the shape.
   double factor(double lambda) const {
     if (law_.parameters == 2) {
       const auto all = sums(lambda);
@@ -90,7 +90,7 @@ class Problem {
     return sum;
   }
 
-  /// Has the sign of minus the derivative of the misfit by lambda_2, where the factor is positive.
+  /// For a positive factor, it has the sign of minus the derivative of the misfit with respect to lambda_2.
   double improvement(double lambda) const {
     const double all = factor(lambda);
     double sum = 0.0;
@@ -114,7 +114,7 @@ struct Range {
   double high;
 };
 
-/// ln(lambda_2), from where all shapes are as for 0 to where they are straight to a millionth.
+/// The range of ln(lambda_2): below it all shapes are as for lambda_2 = 0, above it they are straight to a millionth.
 Range range_of(const ScreeningLaw& law, const std::set<double>& heights) {
   const double shortest = law.sense > 0.0 ? *heights.begin() / 40.0 : *heights.rbegin() / 200.0;
   return {std::log(shortest), std::log(1e6 * *heights.rbegin())};
@@ -124,8 +124,9 @@ Range range_of(const ScreeningLaw& law, const std::set<double>& heights) {
   throw InputError("janssen-fit: the data do not determine lambda_2: " + why);
 }
 
-/// The ln(lambda_2) of the best of a fine grid, made as exact as a minimum of a function can be, or throws.
-double best_of_all_scales(const ScreeningLaw& law, const Problem& problem, const Range& range, double squares) {
+/// The ln(lambda_2) of the least misfit: the best point of a fine grid, refined by minimisation. Throws if the best
+/// point lies at an end of the range.
+double least_misfit(const ScreeningLaw& law, const Problem& problem, const Range& range, double squares) {
   constexpr double step = 0.05;
   constexpr double rounding = 1e-14;
   const auto misfit = [&](double u) { return problem.misfit(std::exp(u)); };
@@ -155,8 +156,8 @@ double best_of_all_scales(const ScreeningLaw& law, const Problem& problem, const
   return found.first;
 }
 
-/// The root of the derivative next to a minimum, to the last bits; the minimum itself where rounding hides the root.
-double polished(const Problem& problem, double u) {
+/// The root of the derivative next to a minimum, to the last bits; the minimum itself if rounding hides the root.
+double refined(const Problem& problem, double u) {
   const auto improvement = [&](double v) { return problem.improvement(std::exp(v)); };
   for (double reach = 1e-8; reach < 0.1; reach *= 4.0) {
     const double below = improvement(u - reach);
@@ -185,12 +186,12 @@ void set_errors(const ScreeningLaw& law, const Problem& problem, bool errors_giv
     fit.correlation = 1.0;
     return;
   }
-  // Derivatives by ln(lambda_1): f, by ln(lambda_2): p - f, both times the factor.
+  // The derivatives with respect to ln(lambda_1) and ln(lambda_2) are f and p - f, both times the factor.
   const double by_1 = std::sqrt(all.ff);
   const double by_2 = std::sqrt(std::max(0.0, all.pp - 2.0 * all.fp + all.ff));
-  const double alone = std::sqrt(std::max(0.0, all.pp - all.fp * all.fp / all.ff));  // of p, across f
-  fit.lambda_2_error = noise * fit.lambda_2 / (std::abs(factor) * alone);
-  fit.lambda_1_error = noise * fit.lambda_1 * by_2 / (std::abs(factor) * by_1 * alone);
+  const double across = std::sqrt(std::max(0.0, all.pp - all.fp * all.fp / all.ff));  // part of p orthogonal to f
+  fit.lambda_2_error = noise * fit.lambda_2 / (std::abs(factor) * across);
+  fit.lambda_1_error = noise * fit.lambda_1 * by_2 / (std::abs(factor) * by_1 * across);
   fit.correlation = (all.ff - all.fp) / (by_1 * by_2);
 }
 
@@ -207,9 +208,9 @@ ScreeningFit fit_screening(const ScreeningLaw& law, const ApparentMasses& data) 
   for (std::size_t row = 0; row < data.mass.size(); ++row) {
     squares += problem.weight(row) * data.mass[row] * data.mass[row];
   }
-  const double start = best_of_all_scales(law, problem, range_of(law, heights), squares);
+  const double start = least_misfit(law, problem, range_of(law, heights), squares);
   ScreeningFit fit;
-  fit.lambda_2 = std::exp(polished(problem, start));
+  fit.lambda_2 = std::exp(refined(problem, start));
   fit.lambda_1 = problem.lambda_1(fit.lambda_2);
   if (fit.lambda_1 <= 0.0) not_determined("the apparent masses are negative");
   fit.chi_square = problem.misfit(fit.lambda_2);

@@ -7,16 +7,16 @@
 
 namespace repose::theory {
 
-/// A column of a table: numbers, or words where `words` is not empty.
+/// A column of a table: numbers, or words if `words` is not empty.
 struct Column {
-  std::string name;   ///< as in the line of names of a CSV file
+  std::string name;   ///< as in the header of a CSV file
   std::string unit;   ///< "1" for a pure number, "" for words
   std::string about;  ///< one line
   std::vector<double> values;
   std::vector<std::string> words;
 };
 
-/// A result that is one number; not-a-number where it is not defined.
+/// A result that is a single number; NaN if undefined.
 struct Number {
   std::string name;
   double value;
@@ -24,12 +24,12 @@ struct Number {
   std::string about;
 };
 
-/// What a model predicts: columns of one length, and single numbers.
+/// The prediction of a model: columns of equal length, and single numbers.
 struct Table {
   std::vector<Column> columns;
   std::vector<Number> numbers;
 
-  /// The column or number of a name that must be there.
+  /// The column or number of this name. Throws std::out_of_range if there is none.
   const Column& column(const std::string& name) const;
   double number(const std::string& name) const;
   bool has_column(const std::string& name) const;

@@ -6,23 +6,24 @@
 
 namespace repose::theory {
 
-/// A ray from the apex of a wedge, by its reduced position S = x tan(slope)/z: 0 on the axis, 1 on the surface. Both
-/// distances are kept, since each is exact where it is small.
+/// A ray from the apex of a wedge, given by its reduced position S = x tan(slope)/z: 0 on the axis, 1 on the surface.
+/// Both S and 1 - S are stored, because each is exact where it is small.
 struct Ray {
   double from_axis = 0.0;     ///< S
   double from_surface = 1.0;  ///< 1 - S
 };
 
-/// Stress on a ray in the right half of a wedge, per rho g z with z the depth below the apex: all stresses grow with
-/// it. Compression is positive. `shear` is positive where what is above pushes what is below outward.
+/// The stress on a ray in the right half of a wedge, divided by rho g z, z the depth below the apex (all stresses are
+/// proportional to z). Compression is positive. `shear` is positive if the material above pushes that below outward.
 struct WedgeStress {
   double normal = 0.0;      ///< sigma_zz
   double shear = 0.0;       ///< sigma_xz
   double horizontal = 0.0;  ///< sigma_xx
 };
 
-/// 1 - R/(P sin(phi)), R and P the radius and centre of Mohr's circle: 0 at the Coulomb limit, negative beyond it.
-/// Source: Bratberg (2003), eq. (15), with the friction angle as theta. The stress must not be zero.
+/// The yield margin 1 - R/(P sin(phi)), R and P the radius and centre of Mohr's circle: 0 at the Coulomb limit,
+/// negative beyond it. The stress must not be zero. Source: Bratberg (2003), eq. (15), with the friction angle as
+/// theta.
 inline double yield_margin(const WedgeStress& stress, double sin_friction) {
   const double radius = std::hypot(0.5 * (stress.normal - stress.horizontal), stress.shear);
   const double centre = 0.5 * (stress.normal + stress.horizontal);

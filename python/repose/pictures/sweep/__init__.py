@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The pictures of a sweep: each is a function of a SweepFolder that returns figures or raises NotDrawn."""
+"""Pictures of a sweep: each is a function of a SweepFolder that returns figures or raises NotDrawn."""
 
 from repose.pictures.sweep import angle, dip, measures, packing, profiles, response, theory
 

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Small panels of what else the members of a sweep measured."""
+"""Small panels of the other measures of a sweep."""
 
 from matplotlib.figure import Figure
 
 from repose import style
-from repose.not_drawn import NotDrawn
-from repose.pictures.sweep.axis import add_legend, axis_of, label_axis, points_height
-from repose.pictures.sweep.measured import CAPTION, draw_measured, has
+from repose.errors import NotDrawn
+from repose.pictures.sweep.axis import axis_of
+from repose.pictures.sweep.panel import CAPTION, add_legend, draw_measure, has_measure, label_axes, panel_height
 
 COLUMNS = 3
 TOP = 0.26  # inch of the caption
@@ -16,28 +16,28 @@ TOP = 0.26  # inch of the caption
 def draw(sweep):
     """One figure of the measures that exist."""
     units = style.units_of(sweep)
-    panels = [(key, label) for key, label in _labels(units) if has(sweep, key)]
+    panels = [(key, label) for key, label in _labels(units) if has_measure(sweep, key)]
     if not panels:
-        raise NotDrawn("no member has any of its measures")
+        raise NotDrawn("no member has any of the measures shown here")
     axis = axis_of(sweep)
     columns = min(COLUMNS, len(panels))
     rows = -(-len(panels) // columns)
     beside = 0.0 if axis.key else 1.2
-    figure = Figure(figsize=(2.3 * columns + beside, rows * points_height(axis, sweep, 1.65) + TOP))
+    figure = Figure(figsize=(2.3 * columns + beside, rows * panel_height(axis, sweep, 1.65) + TOP))
     grid = figure.subplots(rows, columns, squeeze=False)
     for k, axes in enumerate(grid.flat):
         if k >= len(panels):
             axes.remove()
             continue
         key, label = panels[k]
-        draw_measured(axes, axis, sweep, key)
-        label_axis(axes, axis, sweep, label, names=k % columns == 0)
+        draw_measure(axes, axis, sweep, key)
+        label_axes(axes, axis, sweep, label, names=k % columns == 0)
         axes.locator_params(axis="x" if axis.key is None else "y", nbins=4)
         if axis.key is not None and k + columns < len(panels):
             axes.set_xlabel("")
     height = figure.get_size_inches()[1]
     top = TOP + add_legend(figure, grid[0, 0], axis, TOP)
-    figure.tight_layout(pad=0.4, h_pad=0.8, w_pad=0.8, rect=(0.0, 0.0, 1.0, 1.0 - top / height))
+    style.fit(figure, (0.0, 0.0, 1.0, 1.0 - top / height), h_pad=0.8, w_pad=0.8)
     style.caption(figure, CAPTION)
     return [figure]
 
@@ -49,13 +49,12 @@ def _labels(units):
         ("core.coordination", "coordination\nof the core"),
         ("core.solid_fraction", "solid fraction\nof the core"),
         ("heap_height", units.length("heap height")),
-        ("max_overlap", "deepest overlap\n/ diameter"),
+        ("max_overlap", "largest overlap\n/ diameter"),
         ("anisotropy", "anisotropy\nof contacts"),
         ("forces.mean", "mean normal force\n(grain weights)"),
-        ("forces.sliding_fraction", "share of\nsliding contacts"),
-        ("sliding_fraction", "share of\nsliding contacts"),
+        ("forces.sliding_fraction", "fraction of\nsliding contacts"),
         ("chains.largest_height", units.length("height of the\nhighest chain")),
         ("base_scatter", "scatter of\nthe base force"),
-        ("avalanches.mean_size", "grains in\nan avalanche"),
+        ("avalanches.mean_size", "grains per\navalanche"),
         ("avalanches.mean_depth", units.length("depth of the\nmoving layer")),
     )

@@ -6,20 +6,20 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from repose import style
-from repose.not_drawn import NotDrawn
-from repose.pictures.base import banded
-from repose.pictures.sweep.axis import broken
+from repose.errors import NotDrawn
+from repose.pictures.error_band import draw_with_error_band
+from repose.pictures.sweep.panel import in_lines
 
 MOST = 12  # panels in a figure
-COLUMNS = {1: 1, 2: 2, 3: 3, 4: 2}  # by number of panels; 3 of more
-WIDE = 30  # letters of a name in a line
+COLUMNS = {1: 1, 2: 2, 3: 3, 4: 2}  # by number of panels; otherwise 3
+LONGEST_LINE = 30  # letters of a name in one line
 TOP = 0.42  # inch of caption and legend
 LABEL = (0.36, 0.2)  # inch of the labels of all axes
-BEYOND = 1.3  # half widths shown
+SHOWN = 1.3  # half widths of the loaded part of the base
 
 
 def draw(sweep):
-    """A figure for every twelve points."""
+    """Figures of up to twelve points each."""
     drawn = [k for k, profile in enumerate(sweep.profiles) if profile is not None]
     if not drawn:
         raise NotDrawn("no point has a base profile")
@@ -45,14 +45,14 @@ def _figure(sweep, points, limits):
     at = (0.08 / size[0], 1.0 - 0.24 / size[1])
     figure.legend(handles, labels, loc="upper left", bbox_to_anchor=at, ncol=len(handles))
     edge = (LABEL[0] / size[0], LABEL[1] / size[1])
-    figure.tight_layout(pad=0.4, h_pad=0.6, w_pad=0.6, rect=(*edge, 1.0, 1.0 - TOP / size[1]))
+    style.fit(figure, (*edge, 1.0, 1.0 - TOP / size[1]), h_pad=0.6, w_pad=0.6)
     middle = (0.5 * (edge[0] + 1.0), 0.5 * (edge[1] + 1.0 - TOP / size[1]))
     look = dict(fontsize=8, color=style.INK, ha="center", va="center")
     figure.text(middle[0], 0.7 * edge[1], style.units_of(sweep).length("x"), **look)
     figure.text(0.5 * edge[0], middle[1], "force on a base grain\n(grain weights)", rotation=90, **look)
     widths = {profile.binned.attributes["bin_width"] for profile in (sweep.profiles[k] for k in points)}
-    width = f" over {style.units_of(sweep).length_value(widths.pop())}" if len(widths) == 1 else ""
-    style.caption(figure, f"lines: mean of the members{width} ± standard error; dots: each base grain")
+    width = f" in bins of {style.units_of(sweep).length_value(widths.pop())}" if len(widths) == 1 else ""
+    style.caption(figure, f"lines: mean over the members{width} ± standard error; dots: single base grains")
     return figure
 
 
@@ -61,12 +61,13 @@ def _panel(axes, name, profile):
     bins = profile.binned
     for force, colour in (("normal", style.BLUE), ("shear", style.ORANGE)):
         axes.plot(profile["x"], profile[force], "o", color=colour, markersize=1.8, alpha=0.4, markeredgewidth=0)
-        banded(axes, bins["x"], bins[force], bins[f"{force}_error"], colour, f"{force} force")
-    axes.set_title(broken(name, WIDE), fontsize=7, pad=3)
-    axes.text(0.97, 0.96, _numbers(profile.attributes), transform=axes.transAxes, ha="right", va="top", fontsize=6.5)
+        draw_with_error_band(axes, bins["x"], bins[force], bins[f"{force}_error"], colour, f"{force} force")
+    axes.set_title(in_lines(name, LONGEST_LINE), fontsize=7, pad=3)
+    text = _members_and_dip(profile.attributes)
+    axes.text(0.97, 0.96, text, transform=axes.transAxes, ha="right", va="top", fontsize=6.5)
 
 
-def _numbers(values):
+def _members_and_dip(values):
     members = values["members"]
     lines = [f"{members} {'member' if members == 1 else 'members'}"]
     if np.isfinite(values["dip_index"]):
@@ -76,9 +77,9 @@ def _numbers(values):
 
 
 def _limits(profiles):
-    """((x_min, x_max), (y_min, y_max)) of the loaded parts of all profiles, with room for the numbers above."""
+    """((x_min, x_max), (y_min, y_max)) of the loaded parts of all profiles, with space for the text above."""
     ends = [
-        profile.attributes["centre"] + side * BEYOND * profile.attributes["half_width"]
+        profile.attributes["centre"] + side * SHOWN * profile.attributes["half_width"]
         for profile in profiles
         for side in (-1.0, 1.0)
     ]

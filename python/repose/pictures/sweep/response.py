@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Responses to a point load, by the members of a sweep and by theory: response.csv and response.json of a sweep folder."""
+"""Responses to a point load, simulated and predicted: response.csv and response.json of a sweep folder."""
 
 import csv
 import json
@@ -9,28 +9,29 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from repose import style
-from repose.not_drawn import NotDrawn
-from repose.pictures.sweep.axis import broken
+from repose.errors import NotDrawn
+from repose.pictures.sweep.panel import in_lines
 
 CURVES = (
     ("elastic", style.ORANGE, "-", "elastic layer, rough rigid floor"),
     ("elastic_fitted", style.INK, "-", "the same, Poisson's ratio fitted"),
-    ("osl", style.GREEN, "--", "OSL, rays of the lattice"),
+    ("osl", style.GREEN, "--", "OSL, rays along the lattice"),
     ("diffusive", style.PURPLE, ":", "diffusive (q-model)"),
 )
 LABELS = {"elastic": "elastic", "elastic_fitted": "fitted", "osl": "OSL", "diffusive": "diffusive"}
 COLUMNS = 2
-ROOM = 1.35  # of the axis over the largest value of the simulation
+LONGEST_LINE = 40  # letters of a name in one line
+HEADROOM = 1.35  # end of the axis over the largest value
 
 
 def draw(sweep):
     """One figure with a panel for each response."""
-    table, facts = sweep.path / "response.csv", sweep.path / "response.json"
-    if not (table.is_file() and facts.is_file()):
-        raise NotDrawn("no points of the sweep differ in one downward load alone")
+    table, fits = sweep.path / "response.csv", sweep.path / "response.json"
+    if not (table.is_file() and fits.is_file()):
+        raise NotDrawn("no two points of the sweep differ by one downward load alone")
     with table.open() as file:
         rows = list(csv.DictReader(file))
-    responses = json.loads(facts.read_text())
+    responses = json.loads(fits.read_text())
     columns = min(COLUMNS, len(responses))
     lines = -(-len(responses) // columns)
     figure = Figure(figsize=(4.6 if columns == 1 else 6.6, 2.3 * lines + 0.75))
@@ -47,8 +48,8 @@ def draw(sweep):
     height = figure.get_size_inches()[1]
     handles, labels = grid[0, 0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.02, 1.0 - 0.24 / height), ncol=3)
-    figure.tight_layout(pad=0.4, rect=(0.0, 0.0, 1.0, 1.0 - 0.56 / height))
-    style.caption(figure, "normal force on the base with the load less that without it, same seeds; F load, h depth")
+    style.fit(figure, (0.0, 0.0, 1.0, 1.0 - 0.56 / height))
+    style.caption(figure, "normal force on the base with the load minus that without it, same seeds; F: load, h: depth")
     return [figure]
 
 
@@ -71,23 +72,23 @@ def _panel(axes, response, columns):
                   label="simulation")  # fmt: skip
     axes.set_xlim(x[0], x[-1])
     low = min(0.0, np.nanmin(values))
-    high = ROOM * max(np.nanmax(values), np.nanmax(columns["elastic"]))
+    high = HEADROOM * max(np.nanmax(values), np.nanmax(columns["elastic"]))
     axes.set_ylim(1.2 * low - 0.03 * high, high)
-    axes.set_title(broken(response["point"], 40), fontsize=7, pad=3)
-    for x_text, side, lines in ((0.02, "left", _setting(response)), (0.98, "right", _fit(response))):
+    axes.set_title(in_lines(response["point"], LONGEST_LINE), fontsize=7, pad=3)
+    for x_text, side, lines in ((0.02, "left", _seeds_and_load(response)), (0.98, "right", _chi_squares(response))):
         axes.text(x_text, 0.97, "\n".join(lines), transform=axes.transAxes, ha=side, va="top", fontsize=6.5)
 
 
-def _setting(response):
+def _seeds_and_load(response):
     seeds, places = response["seeds"], response["places"]
     return [
-        f"{seeds} seed{'s' if seeds > 1 else ''}, {places} place{'s' if places > 1 else ''}",
+        f"{seeds} seed{'s' if seeds > 1 else ''}, {places} load position{'s' if places > 1 else ''}",
         f"F = {response['force']:.3g} grain weight{'s' if response['force'] != 1 else ''}",
         f"h = {response['depth']['mean']:.3g}",
     ]
 
 
-def _fit(response):
+def _chi_squares(response):
     known = {name: c for name, c in response["curves"].items() if c["chi_square"] is not None}
     if not known:
         return []

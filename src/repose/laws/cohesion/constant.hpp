@@ -11,7 +11,7 @@
 
 namespace repose {
 
-/// A constant attraction between grains that touch (overlap > 0): the simplest cohesion. To part two grains takes a
+/// A constant attraction between touching grains (overlap > 0): the simplest cohesion. Separating two grains takes a
 /// pull of that force. Validated by tests/unit/laws_test.cpp (energy) and tests/cli/test_materials.py (pull-off).
 struct ConstantCohesion {
   double force = 0.0;  ///< [M L/T^2] >= 0
@@ -20,7 +20,7 @@ struct ConstantCohesion {
 };
 
 inline void parameters(ConstantCohesion& law, Parameters& to, const LawScales&) {
-  to.number("force", law.force, required, not_negative, "M L/T^2", "attraction between grains that touch");
+  to.number("force", law.force, required, not_negative, "M L/T^2", "attraction between touching grains");
 }
 
 REPOSE_FN double attraction(const ConstantCohesion& law, const Touch<double>& touch) {

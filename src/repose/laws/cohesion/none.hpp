@@ -18,10 +18,10 @@ struct NoCohesion {
 
 inline void parameters(NoCohesion&, Parameters&, const LawScales&) {}
 
-/// Attraction [M L/T^2] >= 0 between touching grains.
+/// Attraction [M L/T^2] between touching grains, >= 0.
 REPOSE_FN double attraction(const NoCohesion&, const Touch<double>&) { return 0.0; }
 
-/// Energy [M L^2/T^2] <= 0 of that attraction.
+/// Potential energy [M L^2/T^2] of the attraction, <= 0.
 inline double cohesion_energy(const NoCohesion&, const Touch<double>&) { return 0.0; }
 
 }  // namespace repose

@@ -11,7 +11,7 @@
 
 namespace repose {
 
-/// x^n for whole n >= 0 by repeated squaring: the same bits everywhere, unlike std::pow.
+/// x^n for a whole number n >= 0 by repeated squaring: the same bits on every machine, unlike std::pow.
 REPOSE_FN double whole_power(double x, unsigned n) {
   double result = 1.0;
   for (; n != 0; n >>= 1) {
@@ -21,20 +21,20 @@ REPOSE_FN double whole_power(double x, unsigned n) {
   return result;
 }
 
-/// Continuous interaction: F = m g (s/r)^(n+1) out to r = r0 s, with half-critical damping of the local stiffness.
-/// A grain at rest on a fixed one of its size sits at exactly r = s.
-/// Source: Baxter et al. (1997), eq. (3) and section II, with the sign of the exponent put right.
-/// Validated by tests/validation/soft_exact.cpp (rest distance, energy of an impact).
+/// Continuous interaction: F = m g (s/r)^(n+1) for r < r0 s, with a dashpot relative to the local stiffness (default:
+/// half critical). A grain at rest on a fixed grain of its size sits at exactly r = s.
+/// Source: Baxter et al. (1997), eq. (3) and section II, with the sign of the exponent corrected.
+/// Validated by tests/validation/soft_exact_test.cpp (rest distance, energy of an impact).
 struct Continuous {
   double exponent = 36.0;        ///< n > 0
   double cutoff = 1.2;           ///< r0 >= 1, in mean diameters
-  double damping = 0.5;          ///< fraction of the critical damping of one grain against a fixed one, >= 0
+  double damping = 0.5;          ///< >= 0; its meaning depends on damping_kind
   double gravity = 1.0;          ///< [L/T^2] sets the scale m g of the force, > 0
-  bool attraction = false;       ///< let the dashpot pull
-  unsigned whole_exponent = 37;  ///< n + 1 if whole (fast path), else 0
+  bool attraction = false;       ///< whether the dashpot may make the total force attractive
+  unsigned whole_exponent = 37;  ///< n + 1 if it is a whole number (fast path), else 0
   DampingKind damping_kind = DampingKind::of_critical;
-  double restitution = 0.0;   ///< if given so
-  double impact_speed = 0.0;  ///< [L/T] for which it is given
+  double restitution = 0.0;   ///< requested restitution, if damping_kind is restitution
+  double impact_speed = 0.0;  ///< [L/T] speed of the impact that has this restitution
 
   static constexpr std::string_view name = "continuous";
   static constexpr bool restitution_depends_on_speed = true;
@@ -51,7 +51,7 @@ struct Continuous {
 inline void parameters(Continuous& law, Parameters& to, const LawScales& scales) {
   to.number("exponent", law.exponent, 36.0, positive, "", "n of F = m g (s/r)^(n+1)");
   to.number("cutoff", law.cutoff, 1.2, at_least_one, "diameters",
-            "r0: the force acts at distances below this; at least 1, where grains touch");
+            "r0: the force acts below this distance; at 1, grains touch");
   damping_parameters(law, to, scales);
   const auto whole = Continuous::make(law.exponent, law.cutoff, law.damping, scales.gravity);
   law.gravity = whole.gravity;
@@ -70,13 +70,13 @@ REPOSE_FN NormalForce<double> normal_force(const Continuous& law, const Touch<do
           stiffness};
 }
 
-/// Energy [M L^2/T^2] stored in a pair of mean diameter `diameter` at `distance`; 0 at the cutoff.
+/// Energy [M L^2/T^2] stored in a pair with mean diameter `diameter` at `distance`; 0 at the cutoff.
 inline double elastic_energy(const Continuous& law, double mass, double diameter, double distance) {
   const double scale = mass * law.gravity * diameter / law.exponent;
   return scale * (std::pow(diameter / distance, law.exponent) - std::pow(law.cutoff, -law.exponent));
 }
 
-/// Stiffness -dF/dr [M/T^2] where the pair has stored `energy`.
+/// Stiffness -dF/dr [M/T^2] at the distance where the pair stores `energy`.
 inline double stiffness_at(const Continuous& law, double mass, double diameter, double energy) {
   const double scale = mass * law.gravity * diameter / law.exponent;
   const double x = std::pow(energy / scale + std::pow(law.cutoff, -law.exponent), 1.0 / law.exponent);

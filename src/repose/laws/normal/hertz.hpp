@@ -11,23 +11,23 @@
 
 namespace repose {
 
-/// F = k overlap^(3/2), damped by the local stiffness (3/2) k overlap^(1/2), so that restitution does not depend on the
-/// speed of an impact. Source: Bratberg (2003), eq. (55).
-/// Validated by tests/unit/hertz_test.cpp (peak force and contact time of an impact, restitution).
+/// F = k overlap^(3/2), with a dashpot relative to the local stiffness (3/2) k overlap^(1/2), so that restitution does
+/// not depend on the speed of an impact. Source: Bratberg (2003), eq. (55).
+/// Validated by tests/unit/impact_test.cpp (peak force and contact time of an impact, restitution).
 struct Hertz {
   double stiffness = 5000.0;  ///< [M/(L^(1/2) T^2)] > 0
-  double damping = 0.5;       ///< >= 0, by its kind
-  bool attraction = false;    ///< let the dashpot pull
+  double damping = 0.5;       ///< >= 0; its meaning depends on damping_kind
+  bool attraction = false;    ///< whether the dashpot may make the total force attractive
   DampingKind damping_kind = DampingKind::of_critical;
-  double restitution = 0.0;  ///< if given so
+  double restitution = 0.0;  ///< requested restitution, if damping_kind is restitution
 
   static constexpr std::string_view name = "hertz";
   static constexpr bool restitution_depends_on_speed = false;
 };
 
 inline void parameters(Hertz& law, Parameters& to, const LawScales& scales) {
-  to.number("stiffness", law.stiffness, 5000.0 * scales.weight / std::pow(scales.diameter, 1.5), positive,
-            "M/(L^(1/2) T^2)", "k of F = k overlap^(3/2)");
+  to.number("stiffness", law.stiffness, {5000.0 * scales.weight / std::pow(scales.diameter, 1.5), "5000 m g/d^(3/2)"},
+            positive, "M/(L^(1/2) T^2)", "k of F = k overlap^(3/2)");
   damping_parameters(law, to, scales);
 }
 
@@ -41,13 +41,13 @@ REPOSE_FN NormalForce<double> normal_force(const Hertz& law, const Touch<double>
           stiffness};
 }
 
-/// Energy [M L^2/T^2] stored in a pair of mean diameter `diameter` at `distance`.
+/// Energy [M L^2/T^2] stored in a pair with mean diameter `diameter` at `distance`.
 inline double elastic_energy(const Hertz& law, double /*mass*/, double diameter, double distance) {
   const double overlap = diameter > distance ? diameter - distance : 0.0;
   return 0.4 * law.stiffness * overlap * overlap * std::sqrt(overlap);
 }
 
-/// Stiffness -dF/dr [M/T^2] where the pair has stored `energy`.
+/// Stiffness -dF/dr [M/T^2] at the distance where the pair stores `energy`.
 inline double stiffness_at(const Hertz& law, double /*mass*/, double /*diameter*/, double energy) {
   return 1.5 * law.stiffness * std::pow(energy / (0.4 * law.stiffness), 0.2);
 }

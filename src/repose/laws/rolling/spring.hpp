@@ -13,41 +13,42 @@
 
 namespace repose {
 
-/// Resistance to rolling: a torque of at most mu_r R N, R the roll radius, built up by an elastic spring as the grains
-/// roll on each other and yielding beyond. The soft twin of the rolling friction |S| <= mu_r r R of contact dynamics
-/// (Bratberg 2003, paper one, eq. (6)); elastic-plastic spring: Luding (2008).
-/// Validated by tests/unit/rolling_test.cpp (limit, decay of rolling, rest on a slope).
+/// Resistance to rolling: an elastic spring builds up a torque as the grains roll on each other, and yields at mu_r R N
+/// (R: roll radius, N: normal force). It is the soft counterpart of rolling friction |S| <= mu_r r R in contact
+/// dynamics (Bratberg 2003, paper one, eq. (6)). Source of the elastic-plastic spring: Luding (2008). Validated by
+/// tests/unit/impact_test.cpp (decay of rolling, rest on a slope) and tests/contract/laws_contract_test.cpp (limit).
 struct RollingSpring {
   double friction = 0.1;   ///< mu_r >= 0
   double stiffness = 0.0;  ///< [M/T^2] force per rolled length, > 0
-  double damping = 0.3;    ///< fraction of critical for one grain that rolls, >= 0
+  double damping = 0.3;    ///< fraction of the critical damping of one rolling grain, >= 0
 
   static constexpr std::string_view name = "spring";
 };
 
 inline void parameters(RollingSpring& law, Parameters& to, const LawScales& scales) {
-  to.number("friction", law.friction, required, not_negative, "", "mu_r: torque at most mu_r R N");
-  to.number("stiffness", law.stiffness, 100.0 * scales.weight / scales.diameter, positive, "M/T^2",
+  to.number("friction", law.friction, required, not_negative, "", "mu_r: the torque is at most mu_r R N");
+  to.number("stiffness", law.stiffness, {100.0 * scales.weight / scales.diameter, "100 m g/d"}, positive, "M/T^2",
             "torque over R per rolled length");
-  to.number("damping", law.damping, 0.3, not_negative, "", "fraction of critical");
+  to.number("damping", law.damping, 0.3, not_negative, "", "fraction of critical damping");
 }
 
-/// A disc has I = m R^2 / 2, and both may turn.
+/// The effective stiffness [M/T^2] for the time step: a disc has I = m R^2 / 2, and both discs may rotate.
 inline double surface_stiffness(const RollingSpring& law, double, double) { return 4.0 * law.stiffness; }
 
-/// The torque over the roll radius [M L/T^2]; brings the rolled length [L] forward at roll velocity v.
+/// The torque divided by the roll radius [M L/T^2]. Advances the rolling displacement `roll` [L] by dt at the roll
+/// velocity [L/T].
 template <class Tangential>
 REPOSE_FN Tangential rolling_force(const RollingSpring& law, const Touch<double>& touch,
                                    const NormalForce<double>& normal, const Tangential& roll_velocity, double dt,
-                                   Tangential& rolled) {
+                                   Tangential& roll) {
   const double dashpot = 2.0 * law.damping * std::sqrt(0.5 * law.stiffness * touch.mass);
-  return slider_force(law.stiffness, dashpot, law.friction * positive_part(normal.total), roll_velocity, dt, rolled);
+  return slider_force(law.stiffness, dashpot, law.friction * positive_part(normal.total), roll_velocity, dt, roll);
 }
 
 template <class Tangential>
 double stored_energy(const RollingSpring& law, const Touch<double>&, const NormalForce<double>&,
-                     const Tangential& rolled) {
-  return 0.5 * law.stiffness * squared(rolled);
+                     const Tangential& roll) {
+  return 0.5 * law.stiffness * squared(roll);
 }
 
 }  // namespace repose

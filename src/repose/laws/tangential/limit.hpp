@@ -9,7 +9,7 @@
 
 namespace repose {
 
-/// The tangent shortened to at most `longest` >= 0.
+/// The tangent a, shortened to a length of at most `longest` >= 0.
 REPOSE_FN double limited(double a, double longest) { return std::copysign(std::min(std::fabs(a), longest), a); }
 template <int D>
 REPOSE_FN Vec<D> limited(const Vec<D>& a, double longest) {
@@ -17,7 +17,7 @@ REPOSE_FN Vec<D> limited(const Vec<D>& a, double longest) {
   return length > longest ? a * (longest / length) : a;
 }
 
-/// Unit tangent along a; zero (in 2D: +-1) where a is zero.
+/// The unit tangent along a. If a is zero, it is zero in 3D and +-1 in 2D.
 REPOSE_FN double direction(double a) { return std::copysign(1.0, a); }
 template <int D>
 REPOSE_FN Vec<D> direction(const Vec<D>& a) {

@@ -13,8 +13,8 @@
 
 namespace repose {
 
-/// Linear tangential spring and dashpot with a Coulomb cap; while the contact slides the spring keeps the length that
-/// gives the capped force. Source: Cundall & Strack (1979).
+/// Linear tangential spring and dashpot, capped at the Coulomb limit. While the contact slides, the slip displacement
+/// keeps the value that gives the capped force. Source: Cundall & Strack (1979).
 /// Validated by tests/unit/laws_test.cpp and, against another program, by benchmarks/run.py (same bed, same law).
 struct Linear {
   double friction = 0.5;   ///< mu >= 0
@@ -26,20 +26,21 @@ struct Linear {
 
 inline void parameters(Linear& law, Parameters& to, const LawScales& scales) {
   to.number("stiffness", law.stiffness, required, positive, "M/T^2", "spring constant k_t");
-  to.number("damping", law.damping, 0.0, not_negative, "", "fraction of critical");
+  to.number("damping", law.damping, 0.0, not_negative, "", "fraction of critical damping");
   law.friction = scales.friction;
 }
 
-/// Stiffness [M/T^2] that the surface of a grain feels, rotation included: it is three times as light as the centre.
+/// The effective stiffness [M/T^2] for the time step: 3 k_t, since a force at the rim of a free disc meets a third of
+/// the mass (it also rotates the disc).
 inline double surface_stiffness(const Linear& law, double /*normal_stiffness*/, double /*mass*/) {
   return 3.0 * law.stiffness;
 }
 
 template <class Tangential>
 REPOSE_FN Tangential tangential_force(const Linear& law, const Touch<double>& touch, const NormalForce<double>& normal,
-                                      const Tangential& slip_velocity, double dt, Tangential& delta) {
+                                      const Tangential& slip_velocity, double dt, Tangential& slip) {
   const double dashpot = 2.0 * law.damping * std::sqrt(law.stiffness) * std::sqrt(touch.mass);
-  return slider_force(law.stiffness, dashpot, law.friction * positive_part(normal.total), slip_velocity, dt, delta);
+  return slider_force(law.stiffness, dashpot, law.friction * positive_part(normal.total), slip_velocity, dt, slip);
 }
 
 REPOSE_FN double coulomb_limit(const Linear& law, const NormalForce<double>& normal) {
@@ -47,8 +48,8 @@ REPOSE_FN double coulomb_limit(const Linear& law, const NormalForce<double>& nor
 }
 
 template <class Tangential>
-double stored_energy(const Linear& law, const Touch<double>&, const NormalForce<double>&, const Tangential& delta) {
-  return 0.5 * law.stiffness * squared(delta);
+double stored_energy(const Linear& law, const Touch<double>&, const NormalForce<double>&, const Tangential& slip) {
+  return 0.5 * law.stiffness * squared(slip);
 }
 
 }  // namespace repose

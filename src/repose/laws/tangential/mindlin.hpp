@@ -13,13 +13,14 @@
 
 namespace repose {
 
-/// The tangential spring of a Hertz contact: as stiff as a fixed share of the normal force's own slope, which goes with
-/// the root of the overlap; capped by Coulomb.
+/// The tangential spring of a Hertz contact, capped at the Coulomb limit. Its stiffness is a fixed fraction of the
+/// normal stiffness, which is proportional to the square root of the overlap.
 ///
-/// Where the overlap grows the force stays and the spring becomes shorter; where it shrinks the length stays and the
-/// force goes down. With the length alone kept, pressing a sheared contact would make energy. Source: Mindlin &
-/// Deresiewicz (1953) as simplified by Thornton & Yin (1991). Validated by tests/unit/hertz_test.cpp (stiffness, no
-/// energy from cycles).
+/// When the overlap grows, the force is kept and the slip displacement is reduced; when it shrinks, the displacement is
+/// kept and the force decreases. If the displacement were always kept, pressing a sheared contact would create energy.
+/// Source: Mindlin & Deresiewicz (1953) as simplified by Thornton & Yin (1991).
+/// Validated by tests/unit/impact_test.cpp (stiffness) and tests/contract/laws_contract_test.cpp (no energy from
+/// cycles).
 struct Mindlin {
   double friction = 0.5;  ///< mu >= 0
   double ratio = 0.82;    ///< tangential over normal stiffness, > 0: 2 (1 - nu) / (2 - nu), 0.82 for nu = 0.3
@@ -31,7 +32,7 @@ struct Mindlin {
 inline void parameters(Mindlin& law, Parameters& to, const LawScales& scales) {
   to.number("ratio", law.ratio, 0.82, positive, "",
             "tangential over normal stiffness: 2 (1 - nu) / (2 - nu), nu Poisson's ratio");
-  to.number("damping", law.damping, 0.0, not_negative, "", "fraction of critical");
+  to.number("damping", law.damping, 0.0, not_negative, "", "fraction of critical damping");
   law.friction = scales.friction;
 }
 
@@ -41,16 +42,16 @@ inline double surface_stiffness(const Mindlin& law, double normal_stiffness, dou
 
 template <class Tangential>
 REPOSE_FN Tangential tangential_force(const Mindlin& law, const Touch<double>& touch, const NormalForce<double>& normal,
-                                      const Tangential& slip_velocity, double dt, Tangential& delta) {
+                                      const Tangential& slip_velocity, double dt, Tangential& slip) {
   if (!(touch.overlap > 0.0)) {
-    delta = Tangential{};
-    return delta;
+    slip = Tangential{};
+    return slip;
   }
   const double before = touch.overlap - touch.closing_speed * dt;
-  if (before < touch.overlap) delta = delta * std::sqrt(positive_part(before) / touch.overlap);
+  if (before < touch.overlap) slip = slip * std::sqrt(positive_part(before) / touch.overlap);
   const double stiffness = law.ratio * normal.stiffness;
   const double dashpot = 2.0 * law.damping * std::sqrt(stiffness * touch.mass);
-  return slider_force(stiffness, dashpot, law.friction * positive_part(normal.total), slip_velocity, dt, delta);
+  return slider_force(stiffness, dashpot, law.friction * positive_part(normal.total), slip_velocity, dt, slip);
 }
 
 REPOSE_FN double coulomb_limit(const Mindlin& law, const NormalForce<double>& normal) {
@@ -59,8 +60,8 @@ REPOSE_FN double coulomb_limit(const Mindlin& law, const NormalForce<double>& no
 
 template <class Tangential>
 double stored_energy(const Mindlin& law, const Touch<double>&, const NormalForce<double>& normal,
-                     const Tangential& delta) {
-  return 0.5 * law.ratio * normal.stiffness * squared(delta);
+                     const Tangential& slip) {
+  return 0.5 * law.ratio * normal.stiffness * squared(slip);
 }
 
 }  // namespace repose

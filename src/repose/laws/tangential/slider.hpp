@@ -6,8 +6,8 @@
 
 namespace repose {
 
-/// A spring and a dashpot whose force is capped: brings `displacement` [L] forward and returns the force [M L/T^2].
-/// While it slides the spring keeps the length that gives the capped force.
+/// The force [M L/T^2] of a spring and a dashpot in parallel, capped at `limit`. Advances `displacement` [L] by dt;
+/// while the contact slides, it keeps the value that gives the capped force.
 template <class Tangential>
 REPOSE_FN Tangential slider_force(double stiffness, double dashpot, double limit, const Tangential& velocity, double dt,
                                   Tangential& displacement) {

@@ -12,7 +12,8 @@
 
 namespace repose {
 
-/// Friction against the slip velocity, F = -d m_red v_t, capped by Coulomb. It holds nothing at rest: heaps creep.
+/// Friction proportional to the slip velocity, F = -d m_red v_t, capped at the Coulomb limit. It carries no force at
+/// rest, so heaps creep.
 /// Source: Bratberg (2003), eq. (58). Validated by tests/unit/laws_test.cpp.
 struct Viscous {
   double friction = 0.5;  ///< mu >= 0
@@ -22,11 +23,12 @@ struct Viscous {
 };
 
 inline void parameters(Viscous& law, Parameters& to, const LawScales& scales) {
-  to.number("rate", law.rate, required, positive, "1/T", "friction over reduced mass and slip velocity");
+  to.number("rate", law.rate, required, positive, "1/T", "tangential force over reduced mass and slip velocity");
   law.friction = scales.friction;
 }
 
-/// Of the spring that would be as fast: a dashpot on a surface three times as light as the centre decays at 3/2 d.
+/// The stiffness [M/T^2], for the time step, of a spring as fast as the dashpot: at the rim of a free disc, which has a
+/// third of its mass, the slip velocity decays at the rate 3/2 d.
 inline double surface_stiffness(const Viscous& law, double /*normal_stiffness*/, double mass) {
   return mass * 2.25 * law.rate * law.rate;
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/methods/contact_dynamics/contact_dynamics.hpp"
 
+#include "repose/methods/contacts.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,11 +14,11 @@ namespace repose {
 
 namespace {
 
-/// Fast grains list what they can meet in this many steps.
+/// Fast grains list all grains that they may reach within this many steps.
 constexpr double look_ahead_steps = 16.0;
 
-/// Contacts are looked for within 0.05 of the roll radius, which is at most half the sum of the radii, and within what
-/// grains may fall.
+/// Contacts are searched within 0.05 roll radii (the roll radius is at most half the sum of the radii), and within the
+/// distance that grains may fall.
 constexpr double cutoff = 1.0 + 0.5 * 0.05;
 
 template <int D>
@@ -43,37 +45,49 @@ ContactDynamics<D>::ContactDynamics(ImpulseLaws laws, ContactDynamicsSettings<D>
 
 template <int D>
 bool ContactDynamics<D>::step(Grains<D>& grains, Team& team) {
-  refresh_pairs(grains, team);
-  set_free_velocities(grains);
-  find_contacts(grains);
+  pose(grains, team);
   solve();
   hand_over_reactions(grains);
   return move(grains);
 }
 
+/// Sets up the contact problem of the step.
 template <int D>
-StepReport ContactDynamics<D>::advance(Grains<D>& grains, long steps, Team& team) {
-  StepReport report;
-  while (report.steps < steps && !report.trouble) {
-    report.trouble = !step(grains, team);
-    ++report.steps;
-  }
-  return report;
+void ContactDynamics<D>::pose(Grains<D>& grains, Team& team) {
+  refresh_pairs(grains, team);
+  set_free_velocities(grains);
+  find_contacts(grains);
 }
 
-/// The list must hold until the end of the step: grains may meet then that are far apart now.
+template <int D>
+StepReport ContactDynamics<D>::advance(Grains<D>& grains, double until, Team& team) {
+  const long before = step_;
+  const long last = time_steps().count(until);
+  bool trouble = false;
+  while (step_ < last && !trouble) trouble = !step(grains, team);
+  return {time(), step_ - before, trouble};
+}
+
+template <int D>
+const contact_dynamics::Problem<D>* ContactDynamics<D>::problem_at(double time, Grains<D>& grains, Team& team) {
+  step_ = time_steps().count(time);
+  pose(grains, team);
+  return &problem_;
+}
+
+/// The list must hold until the end of the step, when grains may touch that are far apart now.
 template <int D>
 void ContactDynamics<D>::refresh_pairs(Grains<D>& grains, Team& team) {
   const double dt = settings_.time_step;
   double fastest2 = 0.0;
   for (const auto& grain : grains.line) fastest2 = std::max(fastest2, squared(grain.velocity));
-  double wall_way = 0.0;
+  double wall_displacement = 0.0;
   for (std::size_t w = 0; w < walls_at_build_.size(); ++w) {
-    const double gone = std::fabs(walls_[w].displacement - walls_at_build_[w].displacement);
-    wall_way = std::max(wall_way, gone + dt * std::fabs(walls_[w].speed));
+    const double so_far = std::fabs(walls_[w].displacement - walls_at_build_[w].displacement);
+    wall_displacement = std::max(wall_displacement, so_far + dt * std::fabs(walls_[w].speed));
   }
   pairs_.moved(dt * std::sqrt(fastest2));
-  if (pairs_.suspect() && pairs_.stale(grains, wall_way, dt)) build_pairs(grains, team);
+  if (pairs_.may_be_stale() && pairs_.stale(grains, wall_displacement, dt)) build_pairs(grains, team);
 }
 
 template <int D>
@@ -105,7 +119,7 @@ void ContactDynamics<D>::set_free_velocities(const Grains<D>& grains) {
   for (std::size_t w = 0; w < walls_.size(); ++w) set_free_wall(w, kick);
 }
 
-/// The barrier acts here and never on what the contacts make of the velocities, which are then what they must be.
+/// Limits the free velocities only, never the velocities after the contacts, which must obey the contact laws.
 template <int D>
 void ContactDynamics<D>::limit_speeds() {
   if (!std::isfinite(settings_.speed_limit)) return;
@@ -115,17 +129,17 @@ void ContactDynamics<D>::limit_speeds() {
   }
 }
 
-/// A piston is a body that moves along one direction. Its spring and drag act at the end of the step (implicit Euler:
-/// stable for any stiffness), by which the body is as if it had more mass.
+/// A piston is a body that moves along one direction. Its spring and drag act at the end of the step (implicit Euler,
+/// stable for any stiffness), which has the effect of a larger mass.
 template <int D>
 void ContactDynamics<D>::set_free_wall(std::size_t w, double kick) {
   const auto& motion = settings_.walls[w].motion;
   auto& state = walls_[w];
   double inverse_mass = 0.0;
   if (!motion.feels_grains()) {
-    move_wall(motion, state, now(), kick, 0.0, Vec<D>{});
-  } else if (now() >= motion.start) {
-    const double end = now() + settings_.time_step - motion.start;
+    move_wall(motion, state, time(), kick, 0.0, Vec<D>{});
+  } else if (time() >= motion.start) {
+    const double end = time() + settings_.time_step - motion.start;
     const double pull = motion.force + motion.stiffness * (motion.speed * end - state.displacement);
     inverse_mass = 1.0 / (motion.mass + kick * (motion.drag + motion.stiffness * settings_.time_step));
     state.speed = inverse_mass * (motion.mass * state.speed + kick * pull);
@@ -151,7 +165,7 @@ void ContactDynamics<D>::solve() {
   account_.worst_residual = std::max(account_.worst_residual, solution_.residual);
 }
 
-/// What fixed grains and walls took up.
+/// Adds the contact impulses to the reactions of fixed grains and walls.
 template <int D>
 void ContactDynamics<D>::hand_over_reactions(Grains<D>& grains) {
   for (const auto& c : problem_.contacts) {
@@ -167,7 +181,7 @@ void ContactDynamics<D>::hand_over_reactions(Grains<D>& grains) {
   }
 }
 
-/// False where a grain is faster than its radius in a step, or not a number.
+/// Returns false if a grain moves by more than its radius, or if a velocity is not a number.
 template <int D>
 bool ContactDynamics<D>::move(Grains<D>& grains) {
   const double dt = settings_.time_step;
@@ -178,8 +192,8 @@ bool ContactDynamics<D>::move(Grains<D>& grains) {
     grain.velocity = problem_.bodies[i].velocity;
     grain.rim_velocity = problem_.bodies[i].rim_velocity;
     grain.position += grain.velocity * dt;
-    const double way = magnitude(grain.velocity) * dt;
-    fine &= way <= grain.radius && std::isfinite(magnitude(grain.rim_velocity));
+    const double displacement = magnitude(grain.velocity) * dt;
+    fine &= displacement <= grain.radius && std::isfinite(magnitude(grain.rim_velocity));
   }
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     auto& wall = walls_[w];
@@ -194,7 +208,7 @@ bool ContactDynamics<D>::move(Grains<D>& grains) {
 template <int D>
 std::vector<WallNow<D>> ContactDynamics<D>::walls_now() const {
   std::vector<WallNow<D>> all;
-  for (std::size_t w = 0; w < walls_.size(); ++w) all.push_back(wall_now(settings_.walls[w], walls_[w], now()));
+  for (std::size_t w = 0; w < walls_.size(); ++w) all.push_back(wall_now(settings_.walls[w], walls_[w], time()));
   return all;
 }
 
@@ -218,29 +232,11 @@ Contacts<D> ContactDynamics<D>::contacts(const Grains<D>& grains) const {
     if (!(c.impulse.normal > 0.0) || c.first >= grains.size()) continue;
     const bool with_wall = c.second >= known_;
     const bool swap = !with_wall && grains.id[c.second] < grains.id[c.first];
-    const auto& first = grains.line[swap ? c.second : c.first];
-    Contact<D> contact;
-    contact.first = swap ? grains.id[c.second] : grains.id[c.first];
-    contact.first_lever = c.lever * first.radius;
-    if (with_wall) {
-      const auto w = c.second - known_;
-      const auto& wall = settings_.walls[w];
-      const Vec<D> from_point = wall.finite() ? separation(first.position, walls[w].point, settings_.box)
-                                              : Vec<D>(first.position - walls[w].point);
-      const auto place = above(wall, from_point);
-      contact.second = plane_partner(static_cast<std::int64_t>(w));
-      contact.normal = place.normal;
-      contact.overlap = (wall.smooth ? 2.0 : 1.0) * first.radius - place.height;
-      contact.relative_overlap = contact.overlap / (2.0 * first.radius);
-    } else {
-      const auto& second = grains.line[swap ? c.first : c.second];
-      const Vec<D> d = separation(first.position, second.position, settings_.box);
-      const double distance = magnitude(d);
-      contact.second = swap ? grains.id[c.first] : grains.id[c.second];
-      contact.normal = d * (1.0 / distance);
-      contact.overlap = first.radius + second.radius - distance;
-      contact.relative_overlap = contact.overlap / (first.radius + second.radius);
-    }
+    const auto first = swap ? c.second : c.first;
+    const auto w = c.second - known_;
+    auto contact = with_wall ? contact_with_wall(grains, first, settings_.walls, w, walls[w], settings_.box)
+                             : contact_of_grains(grains, first, swap ? c.first : c.second, settings_.box);
+    contact.first_lever = c.lever * grains.line[first].radius;
     const double limit = friction_limit(c.friction, c.impulse.normal);
     contact.normal_force = c.impulse.normal * rate;
     contact.tangential_force = (swap ? swapped(c.impulse.tangent) : c.impulse.tangent) * rate;
@@ -269,14 +265,14 @@ void ContactDynamics<D>::set_histories(const Grains<D>& grains, const Contacts<D
     line.impulse.tangent = contact.tangential_force * settings_.time_step;
     problem_.contacts.push_back(line);
   }
-  // Sorts, and turns round what is listed the other way.
+  // Sorts the contacts, and reverses those that are listed in the other direction.
   std::vector<std::uint32_t> same(grains.size());
   for (std::uint32_t k = 0; k < grains.size(); ++k) same[k] = k;
   contact_dynamics::renumber(same, grains.size(), problem_.contacts);
 }
 
 template <int D>
-std::vector<Vec<D>> ContactDynamics<D>::taken_wall_impulses() {
+std::vector<Vec<D>> ContactDynamics<D>::take_wall_impulses() {
   return std::exchange(wall_impulses_, std::vector<Vec<D>>(walls_.size()));
 }
 

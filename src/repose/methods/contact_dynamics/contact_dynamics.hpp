@@ -22,39 +22,31 @@ class ContactDynamics final : public Method<D> {
  public:
   ContactDynamics(ImpulseLaws laws, ContactDynamicsSettings<D> settings);
 
-  StepReport advance(Grains<D>& grains, long steps, Team& team) override;
+  TimeSteps time_steps() const override { return {settings_.time_step, true}; }
+  double time() const override { return time_steps().after(step_); }
+  StepReport advance(Grains<D>& grains, double until, Team& team) override;
   void grains_added(Grains<D>& grains) override;
   void refresh(Grains<D>& grains, Team& team) override;
   Contacts<D> contacts(const Grains<D>& grains) const override;
-  double time_step() const override { return settings_.time_step; }
   void set_loads(const std::vector<Load<D>>& loads) override { loads_ = loads; }
   /// Contacts start from the impulses that go with these forces.
   void set_histories(const Grains<D>& grains, const Contacts<D>& contacts) override;
   const std::vector<WallState>& walls() const override { return walls_; }
-  std::vector<Vec<D>> taken_wall_impulses() override;
-  SolverAccount taken_solver_account() override { return std::exchange(account_, {}); }
+  std::vector<Vec<D>> take_wall_impulses() override;
+  SolverAccount take_solver_account() override { return std::exchange(account_, {}); }
   void exchange(Archive& archive) override;
-  void restored(const Grains<D>&, const Team&) override {}
-  /// Keeps none.
-  Energy energy(const Grains<D>&) const override { return {}; }
+  const contact_dynamics::Problem<D>* problem_at(double time, Grains<D>& grains, Team& team) override;
 
-  /// Since it was last taken.
+  /// What the solver did since `take_solver_account`.
   const SolverAccount& account() const { return account_; }
-  /// Of the last step.
+  /// The solution of the last step.
   const contact_dynamics::Solution& solution() const { return solution_; }
-  /// Of the last step, with the impulses.
+  /// The problem of the last step, with the impulses.
   const contact_dynamics::Problem<D>& problem() const { return problem_; }
-  /// Of the step that follows on `steps` of them, not solved: contacts bring the impulses of the step before.
-  const contact_dynamics::Problem<D>& problem_after(long steps, Grains<D>& grains, Team& team) {
-    step_ = steps;
-    refresh_pairs(grains, team);
-    set_free_velocities(grains);
-    find_contacts(grains);
-    return problem_;
-  }
 
  private:
   bool step(Grains<D>& grains, Team& team);
+  void pose(Grains<D>& grains, Team& team);
   void refresh_pairs(Grains<D>& grains, Team& team);
   void build_pairs(Grains<D>& grains, Team& team);
   void set_free_velocities(const Grains<D>& grains);
@@ -65,15 +57,14 @@ class ContactDynamics final : public Method<D> {
   bool move(Grains<D>& grains);
   void hand_over_reactions(Grains<D>& grains);
   std::vector<WallNow<D>> walls_now() const;
-  double now() const { return static_cast<double>(step_) * settings_.time_step; }
 
   ImpulseLaws laws_;
   ContactDynamicsSettings<D> settings_;
   PairList<D> pairs_;
   contact_dynamics::Problem<D> problem_;
   contact_dynamics::Solver<D> solver_;
-  std::vector<contact_dynamics::ContactLine<D>> before_;  // contacts of the step before: their impulses are the start
-  std::size_t known_ = 0;                                 // grains when bodies were last numbered
+  std::vector<contact_dynamics::ContactLine<D>> before_;  // contacts of the previous step, whose impulses are the start
+  std::size_t known_ = 0;                                 // number of grains when bodies were last numbered
   long step_ = 0;
   std::vector<WallState> walls_;
   std::vector<WallState> walls_at_build_;

@@ -12,16 +12,18 @@ namespace repose::contact_dynamics {
 
 namespace {
 
-/// How near two bodies must come, at the start or freely until the end of a step, to be in contact: a share of the
-/// radius, so that all collisions of a step are solved together, and what gravity may add.
+/// Two bodies are in contact if their gap, at the start of the step or at its end by the free velocities, is below a
+/// margin: a fraction of the roll radius, so that all collisions of a step are solved together, or the distance that
+/// gravity may add, if that is larger.
 constexpr double margin_of_radius = 0.05;
 constexpr double margin_of_fall = 2.5;
 
-/// Overlap over radius that is left alone. A packing at rest has more contacts than the motions of its grains can obey:
-/// if every overlap of rounding size asked to be taken back, no impulses could satisfy all, and the solver would drift.
+/// Overlap over roll radius that is not corrected. A packing at rest has more contacts than its grains have degrees of
+/// freedom. If every overlap of rounding size were corrected, no impulses could satisfy all contacts, and the solver
+/// would drift.
 constexpr double settled_overlap = 1e-3;
 
-/// Two bodies side by side.
+/// The geometry of two bodies close to each other.
 template <int D>
 struct Approach {
   Vec<D> normal{};
@@ -45,8 +47,8 @@ class Gathering {
     const Vec<D> d = separation(a.position, b.position, scenery_.settings.box);
     const double radii = a.radius + b.radius;
     const double distance2 = squared(d);
-    // Most listed pairs are far apart: no root for them.
-    const double widest = radii + 0.5 * margin_of_radius * radii + fall_ + way_ahead(i, j);
+    // Most listed pairs are far apart: this avoids the root for them.
+    const double widest = radii + 0.5 * margin_of_radius * radii + fall_ + relative_displacement(i, j);
     if (distance2 >= widest * widest) return;
     const double distance = std::sqrt(distance2);
     const Approach<D> approach{d * (1.0 / distance), distance - radii, 2.0 * a.radius * b.radius / radii};
@@ -61,7 +63,7 @@ class Gathering {
     const auto& a = grains_.line[i];
     const auto& wall = scenery_.settings.walls[w];
     const auto& now = scenery_.walls[w];
-    if (!now.there) return;
+    if (!now.present) return;
     const Vec<D> from_point =
         wall.finite() ? separation(a.position, now.point, scenery_.settings.box) : Vec<D>(a.position - now.point);
     const auto place = above(wall, from_point);
@@ -75,21 +77,21 @@ class Gathering {
   }
 
  private:
-  double way_ahead(std::uint32_t i, std::uint32_t j) const {
+  double relative_displacement(std::uint32_t i, std::uint32_t j) const {
     const Vec<D> relative = problem_.free[i].velocity - problem_.free[j].velocity;
     return magnitude(relative) * scenery_.settings.time_step;
   }
 
   static Body<D> as_body(const Grain<D>& grain) { return {grain.velocity, grain.rim_velocity, grain.inverse_mass}; }
 
-  double closing_way(const Approach<D>& approach, std::uint32_t i, std::uint32_t j) const {
+  double closing_distance(const Approach<D>& approach, std::uint32_t i, std::uint32_t j) const {
     const Vec<D> relative = problem_.free[j].velocity - problem_.free[i].velocity;
     return dot(relative, approach.normal) * scenery_.settings.time_step;
   }
 
   bool meets(const Approach<D>& approach, std::uint32_t i, std::uint32_t j) const {
     const double margin = std::max(margin_of_radius * approach.radius, fall_);
-    return approach.gap - std::max(0.0, closing_way(approach, i, j)) < margin;
+    return approach.gap - std::max(0.0, closing_distance(approach, i, j)) < margin;
   }
 
   ContactLine<D> begin_line(const Approach<D>& approach, std::uint32_t i, std::uint32_t j) {
@@ -102,7 +104,7 @@ class Gathering {
     return line;
   }
 
-  /// `other` has the velocities of the second body before the step.
+  /// Completes a line and adds it to the problem. `other` has the velocities of the second body before the step.
   void finish(ContactLine<D>& line, const Approach<D>& approach, const ImpulseLaw& law, const Body<D>& other) {
     const auto first = as_body(grains_.line[line.first]);
     if (line.second < problem_.first_wall) {
@@ -113,7 +115,7 @@ class Gathering {
     }
     const double opening = opening_velocity(line, first, other);
     const Tangent<D> slip = slip_velocity(line, first, other);
-    line.normal_bias = normal_bias(approach, law, opening, closing_way(approach, line.first, line.second));
+    line.normal_bias = normal_bias(approach, law, opening, closing_distance(approach, line.first, line.second));
     line.tangent_bias = slip * law.tangential_restitution;
     line.friction = friction_at(law, magnitude(slip));
     line.rolling_friction = law.rolling_friction;
@@ -121,14 +123,15 @@ class Gathering {
     problem_.contacts.push_back(line);
   }
 
-  /// Signorini's condition on velocities: the gap may just close within the step. An impact that bounces back does so
-  /// at once, for a gap law would brake it first. An overlap is taken back little by little.
-  double normal_bias(const Approach<D>& approach, const ImpulseLaw& law, double opening, double closing_way) const {
+  /// Signorini's condition on velocities: the gap may just close within the step. An impact with restitution rebounds
+  /// immediately, because the condition on the gap would brake it first. An overlap is corrected gradually.
+  double normal_bias(const Approach<D>& approach, const ImpulseLaw& law, double opening,
+                     double closing_distance) const {
     const auto& settings = scenery_.settings;
     const double overlap = std::max(0.0, -approach.gap - settled_overlap * approach.radius);
     const double recovery =
         -settings.overlap_recovery * std::min(overlap, margin_of_radius * approach.radius) / settings.time_step;
-    const bool impact = law.restitution > 0.0 && opening < 0.0 && closing_way >= approach.gap;
+    const bool impact = law.restitution > 0.0 && opening < 0.0 && closing_distance >= approach.gap;
     if (impact) return std::min(law.restitution * opening, recovery);
     return approach.gap > 0.0 ? approach.gap / settings.time_step : recovery;
   }
@@ -173,7 +176,7 @@ void renumber(const std::vector<std::uint32_t>& order, std::size_t grains_before
     c.first = moved(c.first);
     c.second = moved(c.second);
     if (c.first < c.second) continue;
-    // Normal and tangent turn round together, so that only what is of space or of one side changes sign.
+    // Normal and tangent reverse together, so only vectors in space and quantities of one side change.
     std::swap(c.first, c.second);
     c.normal = -c.normal;
     c.impulse.tangent = swapped(c.impulse.tangent);

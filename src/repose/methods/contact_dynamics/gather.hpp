@@ -13,24 +13,24 @@
 
 namespace repose::contact_dynamics {
 
-/// What the search for contacts looks at.
+/// The fixed input of the search for contacts.
 template <int D>
 struct Scenery {
   const ImpulseLaws& laws;
   const ContactDynamicsSettings<D>& settings;
-  const std::vector<WallNow<D>>& walls;  ///< where they are at the start of the step
+  const std::vector<WallNow<D>>& walls;  ///< the walls at the start of the step
 };
 
-/// Fills in the contacts of a step: pairs that touch, overlap or may meet within the step, grain with grain by rows of
-/// the pair list and grain with wall (body number of grains + wall) at the end of each row. `problem` holds the free
-/// velocities; velocities of `grains` are those before the step. Impulses are taken over from `before`, contacts of
-/// the step before in the same order of bodies.
+/// Sets the contacts of a step: pairs that touch, overlap or may touch within the step. They are ordered by the rows of
+/// the pair list; contacts of a grain with walls (wall w is body number of grains + w) follow at the end of its row.
+/// `problem` holds the free velocities; `grains` has the velocities before the step. Impulses start from those of
+/// `before`, the contacts of the previous step, in the same order of bodies.
 template <int D>
 void gather(const Scenery<D>& scenery, const Grains<D>& grains, const PairList<D>& pairs,
             const std::vector<ContactLine<D>>& before, Problem<D>& problem);
 
-/// Gives contacts the new numbers of their bodies after grains were reordered or dropped, and brings them into the
-/// order in which they are gathered. `order` is what PairList::build returned, `grains_before` how many there were.
+/// Renumbers the bodies of contacts after grains were reordered or dropped, and sorts the contacts into the order of
+/// `gather`. `order` is the result of PairList::build, `grains_before` the number of grains before it.
 template <int D>
 void renumber(const std::vector<std::uint32_t>& order, std::size_t grains_before,
               std::vector<ContactLine<D>>& contacts);

@@ -9,20 +9,21 @@
 
 namespace repose::contact_dynamics {
 
-/// Sweeps over contacts one by one, in their order; they hold their impulses themselves. For any dimension and pistons.
+/// Sweeps over contacts one by one, in their order. The contacts of the problem hold the impulses. For any dimension,
+/// with or without pistons.
 template <int D>
 class LineSweeps {
  public:
-  /// One per contact.
+  /// One entry per contact.
   using Impulses = std::vector<Impulse<D>>;
 
-  /// The bodies of the problem have the velocities that go with the impulses of its contacts.
+  /// Call this when the velocities of the bodies agree with the impulses of the contacts.
   void begin(Problem<D>&) {}
 
-  /// How many contacts impulses have room for.
-  std::size_t places(const Problem<D>& problem) const { return problem.contacts.size(); }
-  bool pressed(const Problem<D>& problem, std::size_t place) const {
-    return problem.contacts[place].impulse.normal > 0.0;
+  /// The number of contacts for which impulses have entries.
+  std::size_t slots(const Problem<D>& problem) const { return problem.contacts.size(); }
+  bool pressed(const Problem<D>& problem, std::size_t slot) const {
+    return problem.contacts[slot].impulse.normal > 0.0;
   }
 
   Impulses impulses(const Problem<D>& problem) const {
@@ -32,7 +33,7 @@ class LineSweeps {
     return all;
   }
 
-  /// Takes a sum for impulses.
+  /// Sets the impulses to base + change.
   void set(const Impulses& base, const Impulses& change, Problem<D>& problem) const {
     for (std::size_t k = 0; k < problem.contacts.size(); ++k) {
       auto& impulse = problem.contacts[k].impulse;
@@ -41,10 +42,10 @@ class LineSweeps {
     }
   }
 
-  /// Lets the contacts of the problem have the impulses.
+  /// Copies the impulses to the contacts of the problem, which hold them already.
   void store(Problem<D>&) const {}
 
-  /// Calls with each contact, its impulse and its part of a change.
+  /// Calls visit(contact, impulse, change) for each contact.
   template <class Visit>
   void for_each(const Problem<D>& problem, const Impulses& changes, const Visit& visit) const {
     for (std::size_t k = 0; k < problem.contacts.size(); ++k) {
@@ -52,32 +53,34 @@ class LineSweeps {
     }
   }
 
-  /// `shares` of the changes of friction are made, of each place; nullptr: all of them.
-  void sweep_to_and_fro(Problem<D>& problem, const double* shares, Impulses& changes) const {
+  /// Relaxes all contacts, first to last and back. `changes` gets the sum of the changes of both directions.
+  /// `fractions` has the fraction of the change of friction that is applied, for each contact; nullptr: the whole
+  /// change.
+  void sweep_both_ways(Problem<D>& problem, const double* fractions, Impulses& changes) const {
     const auto sweep = [&](const auto& among) {
-      problem.rolling ? sweep_to_and_fro<true>(among, problem, shares, changes)
-                      : sweep_to_and_fro<false>(among, problem, shares, changes);
+      problem.rolling ? sweep_both_ways<true>(among, problem, fractions, changes)
+                      : sweep_both_ways<false>(among, problem, fractions, changes);
     };
     problem.pistons ? sweep(problem.with_pistons()) : sweep(FreeBodies{});
   }
 
  private:
   template <bool Rolling, class Bodies>
-  static void sweep_to_and_fro(const Bodies& among, Problem<D>& problem, const double* shares, Impulses& changes) {
+  static void sweep_both_ways(const Bodies& among, Problem<D>& problem, const double* fractions, Impulses& changes) {
     auto* bodies = problem.bodies.data();
     const auto count = problem.contacts.size();
-    const auto share = [&](std::size_t k) { return shares ? shares[k] : 1.0; };
+    const auto fraction = [&](std::size_t k) { return fractions ? fractions[k] : 1.0; };
     for (std::size_t k = 0; k < count; ++k) {
       auto& c = problem.contacts[k];
       Impulse<D> change;
-      relax_translation(among, share(k), c, bodies[c.first], bodies[c.second], change);
+      relax_translation(among, fraction(k), c, bodies[c.first], bodies[c.second], change);
       if constexpr (Rolling) relax_roll(among, c, bodies[c.first], bodies[c.second], change);
       changes[k] = change;
     }
     for (std::size_t k = count; k-- > 0;) {
       auto& c = problem.contacts[k];
       if constexpr (Rolling) relax_roll(among, c, bodies[c.first], bodies[c.second], changes[k]);
-      relax_translation(among, share(k), c, bodies[c.first], bodies[c.second], changes[k]);
+      relax_translation(among, fraction(k), c, bodies[c.first], bodies[c.second], changes[k]);
     }
   }
 };

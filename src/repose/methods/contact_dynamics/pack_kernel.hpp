@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The sweep over packs for the instruction set that the including source is compiled for. All is local to that source
-// and calls no function of other headers: the linker keeps one copy of an inline function, and that must not be one
-// with instructions that the machine lacks.
+// The sweep over packs, for the instruction set that the including source is compiled for. Everything is local to that
+// source and calls no function of other headers: the linker keeps one copy of an inline function, and that copy must
+// not contain instructions that the machine lacks.
 #pragma once
 
 #include "repose/methods/contact_dynamics/pack_sweep.hpp"
@@ -11,7 +11,8 @@
 #if defined(__AVX512F__)
 #pragma GCC diagnostic push
 #if !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"  // g++ 12 warns of what its header leaves undefined on purpose
+#pragma GCC diagnostic ignored \
+    "-Wmaybe-uninitialized"  // g++ 12 warns about values that its header leaves undefined on purpose
 #endif
 #include <immintrin.h>
 #pragma GCC diagnostic pop
@@ -36,11 +37,11 @@ using Lanes = double __attribute__((vector_size(8 * width), may_alias));
 REPOSE_FN Lanes& lanes(double* p) { return *reinterpret_cast<Lanes*>(p); }
 REPOSE_FN const Lanes& lanes(const double* p) { return *reinterpret_cast<const Lanes*>(p); }
 
-/// As std::max and std::min, also where both are zero.
+/// The same as std::max and std::min, also if both arguments are zero.
 REPOSE_FN Lanes larger(const Lanes& a, const Lanes& b) { return a < b ? b : a; }
 REPOSE_FN Lanes smaller(const Lanes& a, const Lanes& b) { return b < a ? b : a; }
 
-/// Bodies, property by property.
+/// The bodies of some lanes, property by property.
 struct Bodies {
   Lanes x, y, rim, inverse_mass;
 };
@@ -54,7 +55,7 @@ REPOSE_FN Half* halves(Body<2>& body) { return reinterpret_cast<Half*>(&body); }
 #endif
 
 #if defined(__AVX512F__)
-// Compilers make shuffles of these two, where an instruction with an operand in memory needs none.
+// Compilers make shuffles of these two; an instruction with an operand in memory needs none.
 REPOSE_FN Lanes both(const Line& a, const Line& b) {
   return Lanes(_mm512_insertf64x4(_mm512_castpd256_pd512(__m256d(a)), __m256d(b), 1));
 }
@@ -94,7 +95,7 @@ REPOSE_FN void scatter(const Bodies& from, Body<2>* of, const std::uint32_t* k) 
   line(of[k[7]]) = upper(d);
 }
 #elif defined(__AVX2__)
-/// A 4 x 4 table turned over.
+/// Transposes a 4 x 4 table.
 REPOSE_FN void transpose(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d, Bodies& to) {
   const Lanes ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
   const Lanes ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
@@ -138,7 +139,7 @@ REPOSE_FN void scatter(const Bodies& from, Body<2>* of, const std::uint32_t* k) 
 }
 #endif
 
-/// Impulses of some lanes of a pack, and their changes.
+/// The impulses of some lanes of a pack, or their changes.
 struct Numbers {
   double* of;
   REPOSE_FN Lanes& normal() const { return lanes(of); }
@@ -153,14 +154,15 @@ REPOSE_FN Lanes change_within(const Lanes& impulse, const Lanes& change, const L
   return smaller(larger(change, -limit - impulse), limit - impulse);
 }
 
-/// Adds to a sum that the way back finds and the way there begins: at 0.0, which makes a negative zero a positive one.
+/// Adds a change to a sum. The forward direction begins the sum at 0.0, which turns a negative zero into a positive
+/// one; the backward direction continues it.
 template <bool Back>
 REPOSE_FN void add(Lanes& sum, const Lanes& change) {
   sum = (Back ? sum : Lanes{}) + change;
 }
 
 template <bool Partly, bool Back>
-REPOSE_FN void relax_translation(const ContactPack& c, std::size_t lane, const double* shares, Numbers impulse,
+REPOSE_FN void relax_translation(const ContactPack& c, std::size_t lane, const double* fractions, Numbers impulse,
                                  Numbers change, Bodies& a, Bodies& b) {
   const Lanes nx = lanes(c.normal_x + lane);
   const Lanes ny = lanes(c.normal_y + lane);
@@ -176,7 +178,7 @@ REPOSE_FN void relax_translation(const ContactPack& c, std::size_t lane, const d
   const Lanes limit = friction_limit(lanes(c.friction + lane), normal_now);
   const Lanes tangent_before = impulse.tangent();
   Lanes tangent = change_within(tangent_before, slip * -lanes(c.tangent_mass + lane), limit);
-  if constexpr (Partly) tangent *= lanes(shares + lane);
+  if constexpr (Partly) tangent *= lanes(fractions + lane);
   impulse.tangent() = tangent_before + tangent;
   const Lanes push_x = nx * normal - ny * tangent;
   const Lanes push_y = ny * normal + nx * tangent;
@@ -212,12 +214,12 @@ REPOSE_FN void relax(const PackSweep& s, std::size_t pack) {
   for (std::size_t lane = 0; lane < pack_lanes; lane += width) {
     const Numbers impulse{s.impulses + pack_numbers * pack + lane};
     const Numbers change{s.changes + pack_numbers * pack + lane};
-    const double* shares = Partly ? s.shares + pack_lanes * pack : nullptr;
+    const double* fractions = Partly ? s.fractions + pack_lanes * pack : nullptr;
     Bodies a, b;
     gather(s.bodies, c.first + lane, a);
     gather(s.bodies, c.second + lane, b);
     if constexpr (Rolling && Back) relax_roll<Back>(c, lane, impulse, change, a, b);
-    relax_translation<Partly, Back>(c, lane, shares, impulse, change, a, b);
+    relax_translation<Partly, Back>(c, lane, fractions, impulse, change, a, b);
     if constexpr (Rolling && !Back) relax_roll<Back>(c, lane, impulse, change, a, b);
     scatter(a, s.bodies, c.first + lane);
     scatter(b, s.bodies, c.second + lane);
@@ -232,7 +234,7 @@ void sweep_packs(const PackSweep& sweep) {
 }
 
 void sweep_packs(const PackSweep& s) {
-  if (s.shares) {
+  if (s.fractions) {
     s.rolling ? sweep_packs<true, true>(s) : sweep_packs<true, false>(s);
   } else {
     s.rolling ? sweep_packs<false, true>(s) : sweep_packs<false, false>(s);

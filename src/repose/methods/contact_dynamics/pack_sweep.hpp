@@ -8,18 +8,18 @@
 
 namespace repose::contact_dynamics {
 
-/// What Packs::sweep_to_and_fro is told.
+/// The arguments of Packs::sweep_both_ways.
 struct PackSweep {
   const ContactPack* packs;
   std::size_t count;
   double* impulses;
   Body<2>* bodies;
   double* changes;
-  const double* shares;
+  const double* fractions;
   bool rolling;
 };
 
-// One source, pack_kernel.hpp, compiled for each set of instructions.
+// One source, pack_kernel.hpp, compiled for each instruction set.
 void sweep_baseline(const PackSweep& sweep);
 void sweep_avx2(const PackSweep& sweep);
 void sweep_avx512(const PackSweep& sweep);

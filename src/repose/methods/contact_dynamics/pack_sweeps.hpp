@@ -9,13 +9,13 @@
 
 namespace repose::contact_dynamics {
 
-/// The same as LineSweeps<2> for problems without pistons, eight contacts at once, in an order of its own.
+/// The interface of LineSweeps<2>, for problems without pistons: eight contacts at once, in an order of its own.
 class PackSweeps {
  public:
-  /// `pack_numbers` per pack.
+  /// `pack_numbers` entries per pack.
   using Impulses = AlignedDoubles;
 
-  /// Adds to the bodies the one that empty lanes touch.
+  /// Builds the packs, and adds to the bodies the one that unused lanes refer to.
   void begin(Problem<2>& problem) {
     packs_.build(problem);
     impulses_.resize(packs_.size() * pack_numbers);
@@ -23,8 +23,8 @@ class PackSweeps {
     problem.bodies.push_back({});
   }
 
-  std::size_t places(const Problem<2>&) const { return packs_.size() * pack_lanes; }
-  bool pressed(const Problem<2>&, std::size_t place) const { return *normal(impulses_, place) > 0.0; }
+  std::size_t slots(const Problem<2>&) const { return packs_.size() * pack_lanes; }
+  bool pressed(const Problem<2>&, std::size_t slot) const { return *normal(impulses_, slot) > 0.0; }
 
   const Impulses& impulses(const Problem<2>&) const { return impulses_; }
 
@@ -36,23 +36,23 @@ class PackSweeps {
 
   template <class Visit>
   void for_each(const Problem<2>& problem, const Impulses& changes, const Visit& visit) const {
-    for (std::size_t place = 0; place < places(problem); ++place) {
-      const auto contact = packs_.contact(place / pack_lanes, place % pack_lanes);
+    for (std::size_t slot = 0; slot < slots(problem); ++slot) {
+      const auto contact = packs_.contact(slot / pack_lanes, slot % pack_lanes);
       if (contact == Packs::none) continue;
-      visit(problem.contacts[contact], at(impulses_, place), at(changes, place));
+      visit(problem.contacts[contact], at(impulses_, slot), at(changes, slot));
     }
   }
 
-  void sweep_to_and_fro(Problem<2>& problem, const double* shares, Impulses& changes) {
-    packs_.sweep_to_and_fro(impulses_.data(), problem.bodies.data(), changes.data(), shares, problem.rolling);
+  void sweep_both_ways(Problem<2>& problem, const double* fractions, Impulses& changes) {
+    packs_.sweep_both_ways(impulses_.data(), problem.bodies.data(), changes.data(), fractions, problem.rolling);
   }
 
  private:
-  static const double* normal(const Impulses& impulses, std::size_t place) {
-    return impulses.data() + place / pack_lanes * pack_numbers + place % pack_lanes;
+  static const double* normal(const Impulses& impulses, std::size_t slot) {
+    return impulses.data() + slot / pack_lanes * pack_numbers + slot % pack_lanes;
   }
-  static Impulse<2> at(const Impulses& impulses, std::size_t place) {
-    const double* p = normal(impulses, place);
+  static Impulse<2> at(const Impulses& impulses, std::size_t slot) {
+    const double* p = normal(impulses, slot);
     return {p[0], p[pack_lanes], p[2 * pack_lanes]};
   }
 

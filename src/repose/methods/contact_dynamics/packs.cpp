@@ -12,10 +12,10 @@ namespace repose::contact_dynamics {
 
 namespace {
 
-/// So many of the latest packs are remembered with the bodies that they hold: pack k is bit k modulo 64.
+/// The number of latest packs whose bodies are remembered: pack k is bit k modulo 64.
 constexpr std::size_t remembered = 64;
-/// Packs that are open at least, so that a contact can keep away from the packs beside those of its bodies. More do not
-/// make sweeps faster, and fewer keep nearer to the order of the contacts.
+/// The smallest number of open packs, so that a contact can avoid the packs next to those of its bodies. More open
+/// packs do not make sweeps faster; fewer keep closer to the order of the contacts.
 constexpr int window = 12;
 
 void put(const ContactLine<2>& c, std::size_t lane, ContactPack& pack) {
@@ -34,7 +34,7 @@ void put(const ContactLine<2>& c, std::size_t lane, ContactPack& pack) {
   pack.first_turn[lane] = c.first_turn;
 }
 
-/// The packs beside these: the results of a pack are waited for where the next one needs them.
+/// These packs and their neighbours. A pack that needs the results of the previous one has to wait for them.
 std::uint64_t with_neighbours(std::uint64_t packs) { return packs | std::rotl(packs, 1) | std::rotr(packs, 1); }
 
 }  // namespace
@@ -57,7 +57,7 @@ InstructionSet fastest_instruction_set() {
   return fastest;
 }
 
-/// Puts each contact into the oldest open pack that has none of its moving bodies.
+/// Puts each contact into the oldest open pack that contains none of its moving bodies.
 class Packs::Builder {
  public:
   Builder(Packs& packs, const Problem<2>& problem) : to_(packs), contacts_(problem.contacts) {
@@ -65,7 +65,7 @@ class Packs::Builder {
     to_.contacts_.clear();
     to_.presence_.clear();
     for (const auto& body : problem.free) to_.presence_.push_back({0, body.inverse_mass > 0.0 ? ~std::uint64_t{0} : 0});
-    // The body of the unused lanes.
+    // The body that unused lanes refer to.
     to_.presence_.push_back({0, 0});
     nothing_.lever = 0.0;
     nothing_.first_turn = 0.0;
@@ -91,7 +91,7 @@ class Packs::Builder {
     }
   }
 
-  /// Clears the last packs, where those before have room.
+  /// Empties the last packs as far as earlier packs have room.
   void finish() {
     while (to_.size() > 0 && (open_ & bit(to_.size() - 1))) {
       const auto last = to_.size() - 1;
@@ -115,7 +115,7 @@ class Packs::Builder {
   static std::uint64_t bit(std::size_t pack) { return std::uint64_t{1} << pack % remembered; }
   std::uint8_t& used(std::size_t pack) { return used_[pack % remembered]; }
 
-  /// Packs that hold one of its moving bodies.
+  /// The packs that contain a moving body of the contact.
   std::uint64_t taken_by(const ContactLine<2>& c) const {
     return to_.presence_[c.first].packs | to_.presence_[c.second].packs;
   }
@@ -139,7 +139,7 @@ class Packs::Builder {
 
   void open() {
     const auto pack = to_.size();
-    if (open_ & bit(pack)) close(pack);  // the one whose bit this takes
+    if (open_ & bit(pack)) close(pack);  // the old pack with the same bit
     if (pack >= remembered) forget(pack - remembered);
     to_.packs_.push_back(empty_);
     to_.contacts_.emplace_back().fill(none);
@@ -195,9 +195,9 @@ void Packs::store(const double* impulses, std::vector<ContactLine<2>>& contacts)
   }
 }
 
-void Packs::sweep_to_and_fro(double* impulses, Body<2>* bodies, double* changes, const double* shares, bool rolling,
-                             InstructionSet set) const {
-  const PackSweep sweep{packs_.data(), packs_.size(), impulses, bodies, changes, shares, rolling};
+void Packs::sweep_both_ways(double* impulses, Body<2>* bodies, double* changes, const double* fractions, bool rolling,
+                            InstructionSet set) const {
+  const PackSweep sweep{packs_.data(), packs_.size(), impulses, bodies, changes, fractions, rolling};
 #if defined(__x86_64__)
   if (set == InstructionSet::avx512) return sweep_avx512(sweep);
   if (set == InstructionSet::avx2) return sweep_avx2(sweep);

@@ -12,13 +12,13 @@
 
 namespace repose::contact_dynamics {
 
-/// Contacts in a pack: what the widest registers hold.
+/// The number of contacts in a pack: that of doubles in the widest registers.
 inline constexpr std::size_t pack_lanes = 8;
-/// Numbers that a pack has in impulses and in changes: normal, tangent and roll of each lane, in this order.
+/// The number of entries of a pack in impulses and in changes: normal of all lanes, then tangent, then roll.
 inline constexpr std::size_t pack_numbers = 3 * pack_lanes;
 
-/// Contacts that share no moving body, property by property: ContactLine without the impulse. Unused lanes are all zero
-/// and touch only a body that never moves.
+/// Contacts without a common moving body, property by property: the fields of ContactLine without the impulse. Unused
+/// lanes are zero and refer to a body that never moves.
 struct alignas(64) ContactPack {
   using Lanes = double[pack_lanes];
   Lanes normal_x, normal_y;
@@ -27,22 +27,22 @@ struct alignas(64) ContactPack {
   Lanes friction;
   Lanes lever;
   std::uint32_t first[pack_lanes], second[pack_lanes];
-  Lanes roll_mass, rolling_friction, first_turn;  // last, so that sweeps without rolling pass them over
+  Lanes roll_mass, rolling_friction, first_turn;  // last, so that sweeps without rolling do not load them
 };
 static_assert(sizeof(ContactPack) == 12 * 64);
 
-/// Which instructions a sweep uses; the results are the same to the bit.
+/// The instructions that a sweep uses. The results are the same to the bit.
 enum class InstructionSet { baseline, avx2, avx512 };
 bool has(InstructionSet set);
 InstructionSet fastest_instruction_set();
 
-/// The contacts of a problem in packs that are relaxed at once: a sweep over them gives to the bit what one over the
-/// single contacts gives in the same order.
+/// The contacts of a problem in packs, each relaxed at once. A sweep over packs gives the same bits as one over the
+/// single contacts in the same order.
 class Packs {
  public:
   static constexpr std::size_t none = std::numeric_limits<std::uint32_t>::max();
 
-  /// Chooses packs and their order, which follows that of the contacts closely. The problem has no pistons.
+  /// Chooses the packs and their order, which follows that of the contacts closely. The problem must have no pistons.
   void build(const Problem<2>& problem);
 
   std::size_t size() const { return packs_.size(); }
@@ -54,22 +54,23 @@ class Packs {
   void load(const std::vector<ContactLine<2>>& contacts, double* impulses) const;
   void store(const double* impulses, std::vector<ContactLine<2>>& contacts) const;
 
-  /// Relaxes all packs, first to last and back, each the mirrored way. `bodies` has one more than the problem: the last
-  /// has inverse mass 0. `changes` gets the sum of both ways. `shares`: of the change of friction that is made, one for
-  /// each lane, aligned to 64 bytes; nullptr: all of it.
-  void sweep_to_and_fro(double* impulses, Body<2>* bodies, double* changes, const double* shares, bool rolling,
-                        InstructionSet set = fastest_instruction_set()) const;
+  /// Relaxes all packs, first to last and back, the second time in mirrored order. `bodies` has one more body than the
+  /// problem, with inverse mass 0. `changes` gets the sum of the changes of both directions. `fractions` has, for each
+  /// lane, the fraction of the change of friction that is applied, aligned to 64 bytes; nullptr: the whole change.
+  void sweep_both_ways(double* impulses, Body<2>* bodies, double* changes, const double* fractions, bool rolling,
+                       InstructionSet set = fastest_instruction_set()) const;
 
  private:
   class Builder;
   struct Presence {
-    std::uint64_t packs;  // of the latest packs, those that it is in
-    std::uint64_t moves;  // all bits, or none: then it is in no pack that matters
+    std::uint64_t packs;  // bits of the latest packs that contain the body
+    std::uint64_t
+        moves;  // all bits if the body moves, else none: a body that never moves may be in any number of packs
   };
 
   std::vector<ContactPack> packs_;
   std::vector<std::array<std::uint32_t, pack_lanes>> contacts_;
-  std::vector<Presence> presence_;  // of the bodies
+  std::vector<Presence> presence_;  // one entry per body
 };
 
 }  // namespace repose::contact_dynamics

@@ -13,21 +13,21 @@
 
 namespace repose::contact_dynamics {
 
-/// What a sweep touches of a grain or a wall.
+/// The part of a grain or a wall that a sweep reads and writes.
 template <int D>
 struct alignas(D == 2 ? 32 : 64) Body {
   Vec<D> velocity{};          ///< [L/T]
   Spin<D> rim_velocity{};     ///< [L/T] angular velocity times radius
-  double inverse_mass = 0.0;  ///< [1/M] 0: whatever pushes it
+  double inverse_mass = 0.0;  ///< [1/M] 0: impulses do not move it
 };
 static_assert(sizeof(Body<2>) == 32);
 
-/// What a contact hands over in a step, to its first body; the second gets the opposite.
+/// The impulse of a contact on its first body in a step; the second body gets the opposite.
 template <int D>
 struct Impulse {
-  double normal = 0.0;   ///< [M L/T] pushes apart, never negative
+  double normal = 0.0;   ///< [M L/T] >= 0, pushes the bodies apart
   Tangent<D> tangent{};  ///< [M L/T]
-  Spin<D> roll{};        ///< [M L/T] torque impulse over the roll radius 2 r_i r_j / (r_i + r_j)
+  Spin<D> roll{};        ///< [M L/T] torque impulse divided by the roll radius 2 r_i r_j / (r_i + r_j)
 
   Impulse& operator+=(const Impulse& b) {
     normal += b.normal;
@@ -41,27 +41,27 @@ struct Impulse {
   friend Impulse operator*(const Impulse& a, double s) { return {a.normal * s, a.tangent * s, a.roll * s}; }
 };
 
-/// Sum of squares.
+/// The sum of the squares of all components.
 template <int D>
 double squared(const Impulse<D>& a) {
   return a.normal * a.normal + repose::squared(a.tangent) + repose::squared(a.roll);
 }
 
-/// One contact as the solver sees it: two cache lines that a sweep streams. Wanted are impulses for which the formal
-/// velocities (relative velocity after the step and bias) obey the law.
+/// One contact of the solver: two cache lines. The solver finds impulses for which the formal velocities (relative
+/// velocity after the step plus bias) obey the law.
 template <int D>
 struct alignas(64) ContactLine {
   Vec<D> normal{};  ///< from the second to the first
   Impulse<D> impulse{};
-  double normal_bias = 0.0;       ///< [L/T] gap over time step, or restitution times normal velocity before
-  Tangent<D> tangent_bias{};      ///< [L/T] tangential restitution times slip before
+  double normal_bias = 0.0;       ///< [L/T] gap over time step, or restitution times normal velocity before the step
+  Tangent<D> tangent_bias{};      ///< [L/T] tangential restitution times slip velocity before the step
   double normal_mass = 0.0;       ///< [M] normal impulse per normal velocity
   double tangent_mass = 0.0;      ///< [M]
   double roll_mass = 0.0;         ///< [M]
   double friction = 0.0;          ///< coefficient
   double rolling_friction = 0.0;  ///< coefficient
-  double lever = 1.0;             ///< from a centre to the contact point, over the radius of that grain
-  double first_turn = 1.0;        ///< roll radius over radius of the first; of the second it is 2 - first_turn
+  double lever = 1.0;             ///< distance of a centre from the contact point over the radius of that grain
+  double first_turn = 1.0;        ///< roll radius over radius of the first body; for the second it is 2 - first_turn
   std::uint32_t first = 0;
   std::uint32_t second = 0;
 };
@@ -71,26 +71,26 @@ static_assert(sizeof(ContactLine<2>) == 128);
 REPOSE_FN double rolling_part(double spin, const Vec<2>&) { return spin; }
 REPOSE_FN Vec<3> rolling_part(const Vec<3>& spin, const Vec<3>& normal) { return tangential(spin, normal); }
 
-/// Velocity at which the two part [L/T].
+/// The velocity at which the two bodies separate [L/T].
 template <int D>
 REPOSE_FN double opening_velocity(const ContactLine<D>& c, const Body<D>& a, const Body<D>& b) {
   return dot(Vec<D>(a.velocity - b.velocity), c.normal);
 }
 
-/// Tangential relative velocity at the contact point [L/T]; none in a rigid rotation of the pair.
+/// The tangential relative velocity at the contact point [L/T]; zero in a rigid rotation of the pair.
 template <int D>
 REPOSE_FN Tangent<D> slip_velocity(const ContactLine<D>& c, const Body<D>& a, const Body<D>& b) {
   return tangential(Vec<D>(a.velocity - b.velocity), c.normal) -
          spin_cross((a.rim_velocity + b.rim_velocity) * c.lever, c.normal);
 }
 
-/// Difference of the angular velocities times the roll radius [L/T].
+/// The difference of the angular velocities times the roll radius [L/T].
 template <int D>
 REPOSE_FN Spin<D> roll_velocity(const ContactLine<D>& c, const Body<D>& a, const Body<D>& b) {
   return rolling_part(a.rim_velocity * c.first_turn - b.rim_velocity * (2.0 - c.first_turn), c.normal);
 }
 
-/// Gives the two bodies an impulse without rolling part.
+/// Applies the normal and tangential impulse to the two bodies.
 template <int D>
 REPOSE_FN void push(const ContactLine<D>& c, double normal, const Tangent<D>& tangent, Body<D>& a, Body<D>& b) {
   const Vec<D> impulse = c.normal * normal + in_space(tangent, c.normal);
@@ -101,7 +101,7 @@ REPOSE_FN void push(const ContactLine<D>& c, double normal, const Tangent<D>& ta
   b.rim_velocity += turn * b.inverse_mass;
 }
 
-/// Turns the two against each other.
+/// Applies the rolling impulse to the two bodies.
 template <int D>
 REPOSE_FN void turn(const ContactLine<D>& c, const Spin<D>& roll, Body<D>& a, Body<D>& b) {
   constexpr double factor = inverse_inertia_factor<D>;
@@ -109,7 +109,7 @@ REPOSE_FN void turn(const ContactLine<D>& c, const Spin<D>& roll, Body<D>& a, Bo
   b.rim_velocity -= roll * (factor * (2.0 - c.first_turn) * b.inverse_mass);
 }
 
-/// Hands impulses to the two bodies of a contact, where nothing moves but what can move any way.
+/// Applies impulses to the two bodies of a contact, if every body that moves can move in all directions.
 struct FreeBodies {
   template <int D>
   REPOSE_FN void push(const ContactLine<D>& c, double normal, const Tangent<D>& tangent, Body<D>& a, Body<D>& b) const {
@@ -121,7 +121,8 @@ struct FreeBodies {
   }
 };
 
-/// The same where some bodies are pistons: a wall never turns, and moves along one direction or not at all.
+/// Applies impulses to the two bodies of a contact, if some bodies are pistons: a wall never rotates, and moves along
+/// one direction or not at all.
 template <int D>
 struct WithPistons {
   std::size_t first_wall;
@@ -141,7 +142,7 @@ struct WithPistons {
   }
 };
 
-/// Sets the masses of a contact from its levers and the bodies.
+/// Sets the masses of a contact from its levers and the masses of the bodies.
 template <int D>
 void set_masses(ContactLine<D>& c, double first_inverse_mass, double second_inverse_mass) {
   constexpr double factor = inverse_inertia_factor<D>;
@@ -153,8 +154,8 @@ void set_masses(ContactLine<D>& c, double first_inverse_mass, double second_inve
       (factor * (c.first_turn * c.first_turn * first_inverse_mass + second_turn * second_turn * second_inverse_mass));
 }
 
-/// The same with a wall that moves along `direction`, or not at all: as much of it as the impulse can move. In 3D the
-/// tangent plane yields unevenly, and its mass is that of where it yields most, with which sweeps converge too.
+/// Sets the masses of a contact with a wall, which moves along `direction` or not at all. In 3D the mass depends on the
+/// direction in the tangent plane; the smallest is used, with which sweeps converge too.
 template <int D>
 void set_wall_masses(ContactLine<D>& c, double inverse_mass, double wall_inverse_mass, const Vec<D>& direction) {
   const double across = dot(c.normal, direction);
@@ -164,23 +165,23 @@ void set_wall_masses(ContactLine<D>& c, double inverse_mass, double wall_inverse
                           (1.0 - across * across) * wall_inverse_mass);
 }
 
-/// All contacts of one step, with the velocities that there would be without them.
+/// All contacts of one step, and the free velocities: those without contacts.
 template <int D>
 struct Problem {
   std::vector<Body<D>> free;    ///< bodies without contact impulses
-  std::vector<Body<D>> bodies;  ///< with the impulses of the contacts
+  std::vector<Body<D>> bodies;  ///< bodies with contact impulses
   std::vector<ContactLine<D>> contacts;
-  double velocity_scale = 0.0;  ///< [L/T] residuals are measured by; not positive: by the fastest closing contact
-  bool rolling = true;          ///< whether some contact resists rolling
+  double velocity_scale = 0.0;  ///< [L/T] unit of residuals; if not positive, the fastest closing contact sets it
+  bool rolling = true;          ///< whether any contact resists rolling
 
-  std::size_t first_wall = std::numeric_limits<std::size_t>::max();  ///< bodies from this one on are walls
-  bool pistons = false;                                              ///< whether the contacts move some of them
-  std::vector<Vec<D>> wall_direction;                                ///< along which each wall moves
+  std::size_t first_wall = std::numeric_limits<std::size_t>::max();  ///< bodies from this index on are walls
+  bool pistons = false;                                              ///< whether contacts move any wall
+  std::vector<Vec<D>> wall_direction;                                ///< unit vector along which each wall moves
 
   WithPistons<D> with_pistons() const { return {first_wall, wall_direction.data()}; }
 };
 
-/// Velocities from the impulses alone, whatever they were before.
+/// Sets the velocities of the bodies from the free velocities and the impulses alone.
 template <int D>
 void add_impulses(const Problem<D>& problem, std::vector<Body<D>>& bodies) {
   bodies = problem.free;

@@ -8,10 +8,10 @@
 
 namespace repose::contact_dynamics {
 
-/// Gives a contact the impulse without rolling part that solves it as if all others held still; of the change of its
-/// friction only a share. Adds to `change`.
+/// Changes the normal and tangential impulse of a contact to those that solve it with all other contacts unchanged.
+/// Only the given fraction of the change of friction is applied. Adds the changes to `change`.
 template <int D, class Bodies>
-REPOSE_FN void relax_translation(const Bodies& among, double share, ContactLine<D>& c, Body<D>& a, Body<D>& b,
+REPOSE_FN void relax_translation(const Bodies& among, double fraction, ContactLine<D>& c, Body<D>& a, Body<D>& b,
                                  Impulse<D>& change) {
   auto& p = c.impulse;
   const double opening = opening_velocity(c, a, b) + c.normal_bias;
@@ -19,14 +19,14 @@ REPOSE_FN void relax_translation(const Bodies& among, double share, ContactLine<
   const double normal = std::max(-p.normal, -c.normal_mass * opening);
   p.normal += normal;
   const Tangent<D> tangent =
-      change_within(p.tangent, Tangent<D>(slip * -c.tangent_mass), friction_limit(c.friction, p.normal)) * share;
+      change_within(p.tangent, Tangent<D>(slip * -c.tangent_mass), friction_limit(c.friction, p.normal)) * fraction;
   p.tangent += tangent;
   among.push(c, normal, tangent, a, b);
   change.normal += normal;
   change.tangent += tangent;
 }
 
-/// The same for rolling, at the normal impulse that it has.
+/// Does the same for the rolling impulse, at the present normal impulse.
 template <int D, class Bodies>
 REPOSE_FN void relax_roll(const Bodies& among, ContactLine<D>& c, Body<D>& a, Body<D>& b, Impulse<D>& change) {
   auto& p = c.impulse;

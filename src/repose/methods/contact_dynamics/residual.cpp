@@ -18,28 +18,28 @@ double velocity_scale(const Problem<D>& problem) {
   return scale > 0.0 ? scale : 1.0;
 }
 
-/// By how much one contact misses Signorini's condition and Coulomb's law [L/T].
-struct Miss {
+/// The violation of Signorini's condition and Coulomb's law at one contact [L/T].
+struct Violation {
   double normal = 0.0;
   double tangential = 0.0;
 
   double worst() const { return std::max(normal, tangential); }
 };
 
-/// The natural map. Friction is limited by the normal impulse that there should be: one too small to tell from none
-/// must not excuse infinite friction.
+/// The natural map. Friction is limited by the projected normal impulse, so that a normal impulse that cannot be told
+/// from zero does not allow infinite friction.
 template <int D>
-Miss natural_map(const ContactLine<D>& c, double opening, const Tangent<D>& slip) {
+Violation natural_map(const ContactLine<D>& c, double opening, const Tangent<D>& slip) {
   const auto& p = c.impulse;
   const double normal = std::max(0.0, p.normal - c.normal_mass * opening);
   const Tangent<D> tangent = project(Tangent<D>(p.tangent - slip * c.tangent_mass), friction_limit(c.friction, normal));
   return {std::fabs(p.normal - normal) / c.normal_mass, magnitude(Tangent<D>(p.tangent - tangent)) / c.tangent_mass};
 }
 
-/// By how much a contact misses the state in which infinite friction slides: it touches, nothing presses it, and
-/// friction is opposite to slip.
+/// The violation of the sliding state of infinite friction: the contact touches, carries no normal impulse, and its
+/// friction is opposite to the slip velocity.
 template <int D>
-Miss off_sliding(const ContactLine<D>& c, double opening, const Tangent<D>& slip) {
+Violation sliding_violation(const ContactLine<D>& c, double opening, const Tangent<D>& slip) {
   const double push = magnitude(c.impulse.tangent) / c.tangent_mass;
   const double speed = magnitude(slip);
   const double smaller = std::min(push, speed);
@@ -55,7 +55,7 @@ template <int D>
 Residual residual(const Problem<D>& problem, std::vector<Body<D>>& bodies) {
   add_impulses(problem, bodies);
   Residual worst;
-  // What is not a number counts as worst of all.
+  // NaN counts as infinity.
   const auto take = [](double& largest, double value) {
     if (!(value <= largest)) largest = std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
   };
@@ -67,13 +67,13 @@ Residual residual(const Problem<D>& problem, std::vector<Body<D>>& bodies) {
     const Spin<D> roll = roll_velocity(c, a, b);
     const auto& p = c.impulse;
     const Spin<D> turning = project(Spin<D>(p.roll - roll * c.roll_mass), friction_limit(c.rolling_friction, p.normal));
-    Miss miss = natural_map(c, opening, slip);
+    Violation violation = natural_map(c, opening, slip);
     if (std::isinf(c.friction)) {
-      const Miss sliding = off_sliding(c, opening, slip);
-      if (sliding.worst() < miss.worst()) miss = sliding;
+      const Violation sliding = sliding_violation(c, opening, slip);
+      if (sliding.worst() < violation.worst()) violation = sliding;
     }
-    take(worst.normal, miss.normal);
-    take(worst.tangential, miss.tangential);
+    take(worst.normal, violation.normal);
+    take(worst.tangential, violation.tangential);
     take(worst.rolling, magnitude(Spin<D>(p.roll - turning)) / c.roll_mass);
     take(worst.complementarity, std::fabs(p.normal * opening) / c.normal_mass);
   }

@@ -9,23 +9,25 @@
 
 namespace repose::contact_dynamics {
 
-/// By how much impulses miss the laws: velocities over the scale of the problem, the worst contact of each kind.
+/// The residual of impulses: the largest violation of each law, as a velocity over the scale of the problem.
 ///
-/// The first three are the natural map |p - projection(p - m vbar)| / m, zero if and only if the law holds (also for a
-/// negative normal impulse, a friction beyond its limit). Infinite friction is the limit of high friction: a contact
-/// that is pressed by nothing, touches and slides may carry any friction against its slip. Without it some steps have
-/// no solution. They know nothing of the solver: velocities are summed up from the impulses.
+/// The first three are the natural map |p - projection(p - m vbar)| / m, which is zero if and only if the law holds (it
+/// also detects negative normal impulses and friction above its limit). Infinite friction is the limit of high
+/// friction: a contact that touches, slides and carries no normal impulse may carry any friction against its slip;
+/// without this some steps have no solution. The residual is independent of the solver: velocities are computed from
+/// the impulses.
 struct Residual {
   double normal = 0.0;
   double tangential = 0.0;
   double rolling = 0.0;
   double complementarity = 0.0;  ///< normal impulse times formal normal velocity, over mass and scale squared
-  double scale = 0.0;            ///< [L/T] what the velocities are measured by
+  double scale = 0.0;            ///< [L/T] unit of the residuals
 
   double worst() const { return std::max({normal, tangential, rolling}); }
 };
 
-/// `bodies` is room to work in: afterwards it holds the velocities that go with the impulses.
+/// The residual of the impulses of a problem. `bodies` is working memory, and holds the velocities from the impulses
+/// afterwards.
 template <int D>
 Residual residual(const Problem<D>& problem, std::vector<Body<D>>& bodies);
 
@@ -35,8 +37,9 @@ Residual residual(const Problem<D>& problem) {
   return residual(problem, bodies);
 }
 
-/// What velocities of this problem are measured by [L/T]: its own scale where it has one, else the largest formal
-/// velocity of closing without impulses, or what the present impulses would make of a single contact at rest.
+/// The unit of the residuals of a problem [L/T]: its own scale if it has one. Otherwise it is the largest formal
+/// closing velocity without impulses, or the largest velocity that a present normal impulse gives to its contact alone,
+/// if that is larger.
 template <int D>
 double velocity_scale(const Problem<D>& problem);
 

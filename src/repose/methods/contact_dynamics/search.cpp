@@ -16,34 +16,36 @@ namespace repose::contact_dynamics {
 
 namespace {
 
-/// Whether impulses drift is looked at now and then. They do where their change makes next to no velocities, far less
-/// than in the slowest motion of a long chain, which is a matter for conjugate residuals; a leap is to be worth it.
-constexpr long sweeps_per_look = 4;
+/// Every few sweeps the search checks whether the impulses drift. They drift if their change produces almost no
+/// velocities, far less than in the slowest motion of a long chain, which conjugate residuals handle. A leap shorter
+/// than the last constant is not worth its cost.
+constexpr long sweeps_per_check = 4;
 constexpr double drift_over_velocity = 1e4;
 constexpr double shortest_leap = 8.0;
 
-/// What does not converge ends with the best that was seen at one of these looks.
+/// From some sweep on, the residual is computed at regular intervals; a problem that does not converge ends with the
+/// best impulses found at one of these checks.
 constexpr long sweeps_before_watching = 200;
 constexpr long sweeps_per_watch = 20;
 
-/// Infinite friction goes wholly to what solves its contact until this sweep.
+/// Until this sweep the whole change of infinite friction is applied.
 constexpr long sweeps_before_yielding = 100;
 
 constexpr std::size_t line = 8;  // doubles
 
-void add(AlignedDoubles& to, double share, const AlignedDoubles& other) {
-  for (std::size_t k = 0; k < to.size(); ++k) to[k] += other[k] * share;
+void add(AlignedDoubles& to, double factor, const AlignedDoubles& other) {
+  for (std::size_t k = 0; k < to.size(); ++k) to[k] += other[k] * factor;
 }
 
 void scale(AlignedDoubles& motions, double factor) {
   for (auto& motion : motions) motion *= factor;
 }
 
-/// How many motions a body has.
+/// The number of velocity components of a body.
 template <int D>
 constexpr std::size_t motions_of = D == 2 ? 3 : 6;
 
-/// Calls with the place of each motion and the velocity of the body that it is.
+/// Calls visit(index, velocity) for each velocity component of body k.
 template <int D, class OfBody, class Visit>
 void for_each_motion(OfBody& body, std::size_t k, const Visit& visit) {
   std::size_t place = k * motions_of<D>;
@@ -58,13 +60,13 @@ void for_each_motion(OfBody& body, std::size_t k, const Visit& visit) {
 }  // namespace
 
 template <class Impulses>
-void Point<Impulses>::add(double share, const Point& other) {
-  for (std::size_t k = 0; k < impulses.size(); ++k) impulses[k] += other.impulses[k] * share;
-  contact_dynamics::add(motions, share, other.motions);
+void Point<Impulses>::add(double factor, const Point& other) {
+  for (std::size_t k = 0; k < impulses.size(); ++k) impulses[k] += other.impulses[k] * factor;
+  contact_dynamics::add(motions, factor, other.motions);
 }
 
-/// Twice the kinetic energy that the two have in common. As many sums as a cache line has numbers, for one would have
-/// to wait for itself.
+/// The scalar product of two steps in the measure of (twice) the kinetic energy. It uses as many partial sums as a
+/// cache line has numbers, because a single sum would wait for itself.
 template <int D, class Sweeps>
 double Search<D, Sweeps>::product(const Step& a, const Step& b) const {
   std::array<double, line> sum{};
@@ -74,7 +76,7 @@ double Search<D, Sweeps>::product(const Step& a, const Step& b) const {
   return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
 }
 
-/// From velocities that go with the impulses.
+/// Starts from the velocities that belong to the impulses.
 template <int D, class Sweeps>
 void Search<D, Sweeps>::begin(Problem<D>& problem) {
   add_impulses(problem, problem.bodies);
@@ -95,56 +97,57 @@ void Search<D, Sweeps>::begin(Problem<D>& problem) {
     });
   }
   base_.impulses = sweeps_.impulses(problem);
-  foretold_.impulses.assign(base_.impulses.size(), {});
-  foretold_.motions.assign(motions, 0.0);
-  change_ = foretold_;
+  predicted_.impulses.assign(base_.impulses.size(), {});
+  predicted_.motions.assign(motions, 0.0);
+  change_ = predicted_;
   for (auto* points : {&step_, &image_}) {
     for (auto& point : *points) point.impulses.resize(base_.impulses.size());
   }
   remembered_ = 0;
-  anew_in_a_row_ = 0;
-  foretold_square_ = 0.0;
+  restarts_in_a_row_ = 0;
+  predicted_square_ = 0.0;
   leapt_ = false;
-  next_look_ = 0;
+  next_check_ = 0;
 }
 
-/// Friction follows partly from some sweep on.
+/// Does one sweep in both directions. From some sweep on, only a fraction of the change of infinite friction is
+/// applied.
 template <int D, class Sweeps>
 void Search<D, Sweeps>::sweep(Problem<D>& problem, long sweeps) {
   const auto pressed = [&](std::size_t place) { return sweeps_.pressed(problem, place); };
   const bool partly = yields_ && sweeps >= sweeps_before_yielding;
-  if (partly && sweeps == sweeps_before_yielding) yielding_.begin(sweeps_.places(problem), pressed);
-  sweeps_.sweep_to_and_fro(problem, partly ? yielding_.shares() : nullptr, change_.impulses);
+  if (partly && sweeps == sweeps_before_yielding) yielding_.begin(sweeps_.slots(problem), pressed);
+  sweeps_.sweep_both_ways(problem, partly ? yielding_.fractions() : nullptr, change_.impulses);
   if (partly) yielding_.follow(pressed);
 }
 
-/// How the last sweeps changed the velocities; they began where the change was foretold from.
+/// Sets the change of the velocities in the last sweep, which began at the base plus the predicted change.
 template <int D, class Sweeps>
 void Search<D, Sweeps>::take_change(const Problem<D>& problem) {
   for (std::size_t k = 0; k < problem.bodies.size(); ++k) {
     for_each_motion<D>(problem.bodies[k], k, [&](std::size_t place, double now) {
-      change_.motions[place] = now - (base_.motions[place] + foretold_.motions[place]);
+      change_.motions[place] = now - (base_.motions[place] + predicted_.motions[place]);
     });
   }
 }
 
-/// The true residual costs half a sweep: looked at when the velocities hardly change, ever less often, and now and
-/// then.
+/// The true residual costs half a sweep. So it is computed when the velocities hardly change, at growing intervals, and
+/// at regular intervals late in the search.
 template <int D, class Sweeps>
-bool Search<D, Sweeps>::look_is_due(const Solution& solution, double enough) const {
+bool Search<D, Sweeps>::check_is_due(const Solution& solution, double enough) const {
   if (solution.sweeps >= settings_.most_sweeps) return true;
   if (solution.sweeps >= sweeps_before_watching && solution.sweeps % sweeps_per_watch == 0) return true;
-  if (solution.sweeps < next_look_) return false;
+  if (solution.sweeps < next_check_) return false;
   double fastest = 0.0;
   for (const double change : change_.motions) fastest = std::max(fastest, std::fabs(change));
   return fastest <= enough;
 }
 
-/// Whether these impulses are what was wanted; keeps them if they are the best so far.
+/// Whether the residual of these impulses is within the tolerance. Keeps them if they are the best so far.
 template <int D, class Sweeps>
 bool Search<D, Sweeps>::small_enough(const Problem<D>& problem, Solution& solution) {
   const double now = residual(problem, scratch_).worst();
-  next_look_ = solution.sweeps + 2 + solution.sweeps / 16;
+  next_check_ = solution.sweeps + 2 + solution.sweeps / 16;
   if (now < solution.residual) {
     solution.residual = now;
     best_.clear();
@@ -153,52 +156,53 @@ bool Search<D, Sweeps>::small_enough(const Problem<D>& problem, Solution& soluti
   return now <= settings_.tolerance;
 }
 
-/// From where the last sweeps ended, without what is remembered.
+/// Restarts from the end of the last sweep, without the remembered steps.
 template <int D, class Sweeps>
-void Search<D, Sweeps>::start_anew(double square) {
-  base_.add(1.0, foretold_);
-  std::swap(foretold_, change_);
-  foretold_square_ = square;
+void Search<D, Sweeps>::restart(double square) {
+  base_.add(1.0, predicted_);
+  std::swap(predicted_, change_);
+  predicted_square_ = square;
   remembered_ = 0;
-  ++anew_in_a_row_;
+  ++restarts_in_a_row_;
 }
 
-/// For how many sweeps the change will be much the same: where it makes next to no velocities, until those outgrow it;
-/// where it does not shrink and is that of the sweep before, until what differs adds up to as much.
+/// The number of sweeps for which the change will stay about the same. A change with almost no velocities lasts until
+/// the velocities outgrow it. A change that does not shrink and equals that of the previous sweep lasts until the
+/// difference between the two has grown to the same size.
 template <int D, class Sweeps>
 double Search<D, Sweeps>::drift(const Problem<D>& problem, double square) {
   double apart = 0.0;
   sweeps_.for_each(problem, change_.impulses,
-                   [&](const auto& c, const auto&, const auto& change) { apart += energy_apart(c, change); });
+                   [&](const auto& c, const auto&, const auto& change) { apart += separate_energy(c, change); });
   double sweeps = std::sqrt(apart / square);
   if (!(sweeps > drift_over_velocity)) sweeps = 0.0;
-  if (anew_in_a_row_ < sweeps_per_look) return sweeps;
+  if (restarts_in_a_row_ < sweeps_per_check) return sweeps;
   difference_ = change_.impulses;
-  for (std::size_t k = 0; k < difference_.size(); ++k) difference_[k] += foretold_.impulses[k] * -1.0;
+  for (std::size_t k = 0; k < difference_.size(); ++k) difference_[k] += predicted_.impulses[k] * -1.0;
   double differing = 0.0;
   sweeps_.for_each(problem, difference_,
-                   [&](const auto& c, const auto&, const auto& change) { differing += energy_apart(c, change); });
+                   [&](const auto& c, const auto&, const auto& change) { differing += separate_energy(c, change); });
   return std::max(sweeps, std::sqrt(apart / differing));
 }
 
-/// Leaps over a drift, at most to the first contact that ends it. False where there is none.
+/// Leaps over a drift, at most to the first contact that ends it. Returns false without a drift.
 template <int D, class Sweeps>
 bool Search<D, Sweeps>::leap(const Problem<D>& problem) {
   const double square = product(change_, change_);
-  double room = drift(problem, square);
-  if (!(room > shortest_leap)) return false;
+  double length = drift(problem, square);
+  if (!(length > shortest_leap)) return false;
   sweeps_.for_each(problem, change_.impulses, [&](const auto& c, const auto& impulse, const auto& change) {
-    room = std::min(room, room_along(c, impulse, change));
+    length = std::min(length, largest_multiple(c, impulse, change));
   });
-  if (!(room > shortest_leap) || !std::isfinite(room)) return false;
-  start_anew(square);
-  base_.add(room, foretold_);
-  anew_in_a_row_ = 0;
+  if (!(length > shortest_leap) || !std::isfinite(length)) return false;
+  restart(square);
+  base_.add(length, predicted_);
+  restarts_in_a_row_ = 0;
   leapt_ = true;
   return true;
 }
 
-/// Leaps magnify the rounding of the velocities that are carried along: gives them those of the impulses.
+/// Leaps magnify rounding in the accumulated velocities. This replaces them by the velocities from the impulses.
 template <int D, class Sweeps>
 void Search<D, Sweeps>::correct_velocities(const Problem<D>& problem) {
   for (std::size_t k = 0; k < scratch_.size(); ++k) {
@@ -208,20 +212,20 @@ void Search<D, Sweeps>::correct_velocities(const Problem<D>& problem) {
   leapt_ = false;
 }
 
-/// From what the last step changed against what was foretold: a base where the least change is to be expected.
-/// Velocities decide; impulses follow.
+/// Combines the last step with the remembered ones, from the difference between the predicted and the actual change, to
+/// a base with the least predicted change. The velocities determine the coefficients; the impulses follow.
 template <int D, class Sweeps>
 void Search<D, Sweeps>::combine() {
   const double square = product(change_, change_);
-  if (!(square <= foretold_square_)) {
-    start_anew(square);
+  if (!(square <= predicted_square_)) {
+    restart(square);
     return;
   }
   const auto slot = (newest_ + 1) % image_.size();
   auto& step = step_[slot];
   auto& image = image_[slot];
-  step.motions = foretold_.motions;
-  image.motions = foretold_.motions;
+  step.motions = predicted_.motions;
+  image.motions = predicted_.motions;
   add(image.motions, -1.0, change_.motions);
   Combination combination;
   for (std::size_t back = 0; back < remembered_; ++back) {
@@ -233,35 +237,35 @@ void Search<D, Sweeps>::combine() {
     combination.along_others[back] = along;
   }
   const double size = std::sqrt(product(image, image));
-  if (!(size > 1e-12 * std::sqrt(foretold_square_))) {
-    start_anew(square);
+  if (!(size > 1e-12 * std::sqrt(predicted_square_))) {
+    restart(square);
     return;
   }
   combination.factor = 1.0 / size;
   scale(step.motions, combination.factor);
   scale(image.motions, combination.factor);
-  combination.along = product(foretold_, image);
+  combination.along = product(predicted_, image);
   add(base_.motions, combination.along, step.motions);
-  add(foretold_.motions, -combination.along, image.motions);
+  add(predicted_.motions, -combination.along, image.motions);
   combination.slot = slot;
   static_assert(most_remembered == 2);
   if (remembered_ == 0) combine_impulses<0>(combination);
   if (remembered_ == 1) combine_impulses<1>(combination);
   if (remembered_ == 2) combine_impulses<2>(combination);
-  foretold_square_ = product(foretold_, foretold_);
+  predicted_square_ = product(predicted_, predicted_);
   newest_ = slot;
-  anew_in_a_row_ = 0;
+  restarts_in_a_row_ = 0;
   remembered_ = std::min(remembered_ + 1, most_remembered);
 }
 
-/// The same with the impulses, all at once: memory is what it costs.
+/// Applies the combination to the impulses, in one pass because memory access dominates the cost.
 template <int D, class Sweeps>
 template <std::size_t Others>
 void Search<D, Sweeps>::combine_impulses(const Combination& by) {
   auto* __restrict to_step = step_[by.slot].impulses.data();
   auto* __restrict to_image = image_[by.slot].impulses.data();
   auto* __restrict base = base_.impulses.data();
-  auto* __restrict foretold = foretold_.impulses.data();
+  auto* __restrict predicted = predicted_.impulses.data();
   const auto* __restrict change = change_.impulses.data();
   std::array<decltype(change), Others> steps;
   std::array<decltype(change), Others> images;
@@ -269,10 +273,10 @@ void Search<D, Sweeps>::combine_impulses(const Combination& by) {
     steps[back] = step_[by.others[back]].impulses.data();
     images[back] = image_[by.others[back]].impulses.data();
   }
-  const auto count = foretold_.impulses.size();
+  const auto count = predicted_.impulses.size();
   for (std::size_t k = 0; k < count; ++k) {
-    auto step = foretold[k];
-    auto image = foretold[k];
+    auto step = predicted[k];
+    auto image = predicted[k];
     image += change[k] * -1.0;
     for (std::size_t back = 0; back < Others; ++back) {
       image += images[back][k] * -by.along_others[back];
@@ -281,19 +285,19 @@ void Search<D, Sweeps>::combine_impulses(const Combination& by) {
     step = step * by.factor;
     image = image * by.factor;
     base[k] += step * by.along;
-    foretold[k] += image * -by.along;
+    predicted[k] += image * -by.along;
     to_step[k] = step;
     to_image[k] = image;
   }
 }
 
-/// To where the foretold change leads.
+/// Sets the problem to the base plus the predicted change.
 template <int D, class Sweeps>
-void Search<D, Sweeps>::go_on(Problem<D>& problem) {
-  sweeps_.set(base_.impulses, foretold_.impulses, problem);
+void Search<D, Sweeps>::apply_prediction(Problem<D>& problem) {
+  sweeps_.set(base_.impulses, predicted_.impulses, problem);
   for (std::size_t k = 0; k < problem.bodies.size(); ++k) {
     for_each_motion<D>(problem.bodies[k], k, [&](std::size_t place, double& velocity) {
-      velocity = base_.motions[place] + foretold_.motions[place];
+      velocity = base_.motions[place] + predicted_.motions[place];
     });
   }
 }
@@ -312,15 +316,15 @@ Solution Search<D, Sweeps>::solve(Problem<D>& problem) {
       sweep(problem, solution.sweeps);
       ++solution.sweeps;
       take_change(problem);
-      if (look_is_due(solution, enough)) {
+      if (check_is_due(solution, enough)) {
         sweeps_.store(problem);
         if (small_enough(problem, solution)) break;
         if (leapt_) correct_velocities(problem);
       }
       if (solution.sweeps >= settings_.most_sweeps) break;
       if (settings_.accelerated) {
-        if (solution.sweeps % sweeps_per_look != 0 || !leap(problem)) combine();
-        go_on(problem);
+        if (solution.sweeps % sweeps_per_check != 0 || !leap(problem)) combine();
+        apply_prediction(problem);
       } else {
         add(base_.motions, 1.0, change_.motions);
       }

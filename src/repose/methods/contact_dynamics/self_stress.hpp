@@ -10,11 +10,11 @@
 
 namespace repose::contact_dynamics {
 
-/// How often impulses may change like this before friction meets its limit; infinite where it never does or does
-/// already: the smallest root of |T + x dT| = mu (R + x dR).
+/// The multiple of a change at which friction reaches its limit: the smallest root x of |T + x dT| = mu (R + x dR).
+/// Infinite if friction never reaches it, or is at its limit already.
 template <class Vector>
-double room_of_friction(const Vector& impulse, const Vector& change, double coefficient, double normal,
-                        double normal_change) {
+double multiple_to_friction_limit(const Vector& impulse, const Vector& change, double coefficient, double normal,
+                                  double normal_change) {
   const double limit = friction_limit(coefficient, normal);
   if (!std::isfinite(limit) || magnitude(impulse) >= limit * (1.0 - 1e-9)) {
     return std::numeric_limits<double>::infinity();
@@ -28,20 +28,22 @@ double room_of_friction(const Vector& impulse, const Vector& change, double coef
   return -2.0 * c / (b + std::sqrt(root));
 }
 
-/// How often the impulse of a contact may change like this before it opens, slides or rolls.
+/// The largest multiple of a change of impulse up to which the contact does not open, slide or roll.
 template <int D>
-double room_along(const ContactLine<D>& c, const Impulse<D>& p, const Impulse<D>& change) {
-  double room = std::numeric_limits<double>::infinity();
-  if (!(p.normal > 0.0)) return room;
-  if (change.normal < 0.0) room = std::min(room, -p.normal / change.normal);
-  room = std::min(room, room_of_friction(p.tangent, change.tangent, c.friction, p.normal, change.normal));
-  return std::min(room, room_of_friction(p.roll, change.roll, c.rolling_friction, p.normal, change.normal));
+double largest_multiple(const ContactLine<D>& c, const Impulse<D>& p, const Impulse<D>& change) {
+  double multiple = std::numeric_limits<double>::infinity();
+  if (!(p.normal > 0.0)) return multiple;
+  if (change.normal < 0.0) multiple = std::min(multiple, -p.normal / change.normal);
+  multiple =
+      std::min(multiple, multiple_to_friction_limit(p.tangent, change.tangent, c.friction, p.normal, change.normal));
+  return std::min(multiple,
+                  multiple_to_friction_limit(p.roll, change.roll, c.rolling_friction, p.normal, change.normal));
 }
 
-/// Twice the energy [M L^2/T^2] that a change of impulse would have if it acted on its contact alone: what the kinetic
-/// energy of the velocities of all changes is to be compared with.
+/// Twice the kinetic energy [M L^2/T^2] that a change of impulse gives if it acts on its contact alone. The sum over
+/// contacts is the reference for the kinetic energy of all changes together.
 template <int D>
-double energy_apart(const ContactLine<D>& c, const Impulse<D>& change) {
+double separate_energy(const ContactLine<D>& c, const Impulse<D>& change) {
   return change.normal * change.normal / c.normal_mass + repose::squared(change.tangent) / c.tangent_mass +
          repose::squared(change.roll) / c.roll_mass;
 }

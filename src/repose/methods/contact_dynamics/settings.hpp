@@ -12,17 +12,17 @@
 
 namespace repose {
 
-/// What contact dynamics needs to know besides the laws.
+/// The settings of contact dynamics apart from the laws.
 template <int D>
 struct ContactDynamicsSettings {
   double time_step = 0.0;  ///< [T] > 0; g dt^2 / r of 0.05 to 0.15 for a heap
   Vec<D> gravity{};        ///< [L/T^2]
   Box<D> box{};
   std::vector<Wall<D>> walls;
-  double speed_limit = std::numeric_limits<double>::infinity();  ///< [L/T] of free velocities, before contacts act
+  double speed_limit = std::numeric_limits<double>::infinity();  ///< [L/T] largest free speed, before contacts act
   contact_dynamics::SolverSettings solver{};
-  double overlap_recovery = 0.05;  ///< share of an overlap that a step takes back, 0 to 1
-  double skin = 0.3;               ///< [L] of the pair list
+  double overlap_recovery = 0.05;  ///< fraction of an overlap that a step corrects, 0 to 1
+  double skin = 0.3;               ///< [L] skin of the pair list
 };
 
 }  // namespace repose

@@ -10,8 +10,8 @@
 
 namespace repose::contact_dynamics {
 
-/// Solves contact problems by the sweeps that suit them, see Search: eight contacts at a time where there are many; few
-/// are soon solved one by one in their own order, in which a change runs along a chain in one sweep.
+/// Solves contact problems by the sweeps that suit them (see Search): many contacts eight at a time; few contacts one
+/// by one in their own order, in which one sweep carries a change along a whole chain.
 template <int D>
 class Solver {
  public:

@@ -10,37 +10,38 @@
 
 namespace repose::contact_dynamics {
 
-/// Where friction is infinite, sweeps can end in a cycle: a contact opens, its friction is gone, it is pressed together
-/// again. So the friction of a contact goes only part of the way, less at every such turn.
+/// Prevents cycles of sweeps with infinite friction, in which a contact opens, loses its friction and is pressed
+/// together again. Only a fraction of the change of friction is applied, and each opening or closing of the contact
+/// reduces it.
 class Yielding {
  public:
-  /// All friction goes wholly where it should, from contacts of which `pressed(place)` is told.
+  /// Starts with the whole change for all contacts. `pressed(slot)` is whether a contact carries a normal impulse.
   template <class Pressed>
-  void begin(std::size_t places, const Pressed& pressed) {
-    shares_.assign(places, 1.0);
-    pressed_.resize(places);
-    for (std::size_t k = 0; k < places; ++k) pressed_[k] = pressed(k);
+  void begin(std::size_t slots, const Pressed& pressed) {
+    fractions_.assign(slots, 1.0);
+    pressed_.resize(slots);
+    for (std::size_t k = 0; k < slots; ++k) pressed_[k] = pressed(k);
   }
 
-  /// After a sweep.
+  /// Call this after each sweep.
   template <class Pressed>
   void follow(const Pressed& pressed) {
-    for (std::size_t k = 0; k < shares_.size(); ++k) {
+    for (std::size_t k = 0; k < fractions_.size(); ++k) {
       const bool now = pressed(k);
-      shares_[k] = now == static_cast<bool>(pressed_[k]) ? std::min(1.0, shares_[k] * share_at_no_turn)
-                                                         : shares_[k] * share_at_turn;
+      fractions_[k] = now == static_cast<bool>(pressed_[k]) ? std::min(1.0, fractions_[k] * factor_without_change)
+                                                            : fractions_[k] * factor_at_change;
       pressed_[k] = now;
     }
   }
 
-  const double* shares() const { return shares_.data(); }
+  const double* fractions() const { return fractions_.data(); }
 
  private:
-  static constexpr double share_at_turn = 0.8;
-  static constexpr double share_at_no_turn = 1.005;
+  static constexpr double factor_at_change = 0.8;
+  static constexpr double factor_without_change = 1.005;
 
-  AlignedDoubles shares_;      // of the way that friction goes in a sweep
-  std::vector<char> pressed_;  // after the last sweep
+  AlignedDoubles fractions_;   // fraction of the change of friction that is applied
+  std::vector<char> pressed_;  // whether each contact was pressed after the last sweep
 };
 
 }  // namespace repose::contact_dynamics

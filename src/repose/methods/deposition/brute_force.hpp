@@ -8,20 +8,20 @@
 
 namespace repose::deposition {
 
-/// Looks at every disc and image each time: the reference that `Columns` must equal bit for bit.
+/// The search over every disc and image: the reference that `Columns` must equal to the bit.
 class BruteForce {
  public:
   BruteForce(const DepositionSettings& settings, const Grains<2>& grains) : box_(settings.box), line_(grains.line) {}
 
   void add(std::int32_t) {}
   void clear() {}
-  void fall(Fall& fall) const { show_all(fall); }
-  void roll(Arc& arc) const { show_all(arc); }
+  void fall(Fall& fall) const { consider_all(fall); }
+  void roll(Arc& arc) const { consider_all(arc); }
 
  private:
   template <class Meeting>
-  void show_all(Meeting& meeting) const {
-    const int images = box_.periodic ? 3 : 0;  // a disc reaches over less than three widths of two diameters
+  void consider_all(Meeting& meeting) const {
+    const int images = box_.periodic ? 3 : 0;  // a disc spans less than three widths of at least two diameters
     for (std::size_t k = 0; k < line_.size(); ++k) {
       const auto& disc = line_[k];
       for (int image = -images; image <= images; ++image) {

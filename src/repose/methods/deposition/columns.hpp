@@ -11,8 +11,9 @@
 
 namespace repose::deposition {
 
-/// The discs of a packing by columns of at least the largest diameter, each ascending by height: a falling disc meets
-/// those near the top of three columns. Buried discs stay listed, at four bytes each: a pit may lead down to them.
+/// The discs of a packing in columns at least as wide as the largest diameter, each in ascending order of height. A
+/// falling disc can only meet discs near the top of three columns. Buried discs stay listed, at four bytes each,
+/// because a pit may lead down to them.
 class Columns {
  public:
   Columns(const DepositionSettings& settings, const Grains<2>& grains)
@@ -23,7 +24,7 @@ class Columns {
         columns_(std::max<std::size_t>(1, static_cast<std::size_t>(box_.width() / (2.0 * largest_)))),
         width_(box_.width() / static_cast<double>(columns_.size())) {}
 
-  /// Lists a disc; it is in the box.
+  /// Lists a disc inside the box.
   void add(std::int32_t number) {
     const auto& place = line_[static_cast<std::size_t>(number)].position;
     const auto last = static_cast<long>(columns_.size()) - 1;
@@ -41,16 +42,16 @@ class Columns {
 
   void fall(Fall& fall) const {
     const double reach = fall.radius + largest_;
-    const auto look = [&](const Column& column, double shift) {
+    const auto search = [&](const Column& column, double shift) {
       for (auto k = end_below(column, fall.start); k-- > 0;) {
         const auto& disc = line_[static_cast<std::size_t>(column[k])];
         if (disc.position[1] + reach < fall.best.y) break;
         fall.consider({column[k], disc.position[0] + shift, disc.position[1], disc.radius});
       }
     };
-    // Its own column first: it mostly lands there, and then little of the others needs a look.
+    // Its own column first: it mostly lands there, and then few discs of the others can be higher.
     const long own = column_of(fall.x);
-    for (const long c : {own, own - 1, own + 1}) use_column(c, look);
+    for (const long c : {own, own - 1, own + 1}) use_column(c, search);
   }
 
   void roll(Arc& arc) const {
@@ -74,9 +75,9 @@ class Columns {
   double height(std::int32_t number) const { return line_[static_cast<std::size_t>(number)].position[1]; }
   long column_of(double x) const { return static_cast<long>(std::floor((x - box_.x_min) / width_)); }
 
-  /// End of the discs of a column with centres up to `top` and perhaps a little above.
+  /// The end of the discs of a column with centres up to `top`, or a little above it.
   std::size_t end_below(const Column& column, double top) const {
-    constexpr std::size_t by_one = 4;  // looked at before a search: the top is mostly near
+    constexpr std::size_t by_one = 4;  // discs checked before a binary search, since the end is usually near the top
     auto end = column.size();
     for (std::size_t k = 0; k < by_one && end > 0 && height(column[end - 1]) > top; ++k) --end;
     if (end == 0 || height(column[end - 1]) <= top) return end;
@@ -90,7 +91,7 @@ class Columns {
     for (long c = column_of(left), last = column_of(right); c <= last; ++c) use_column(c, use);
   }
 
-  /// Column c of the box and its images to both sides, with the shift of that image.
+  /// Calls use(column, shift) for column c, which may be an image outside a periodic box.
   template <class Use>
   void use_column(long c, const Use& use) const {
     const auto count = static_cast<long>(columns_.size());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/methods/deposition/deposition.hpp"
 
+#include "repose/methods/contacts.hpp"
 #include "repose/methods/deposition/brute_force.hpp"
 #include "repose/methods/deposition/columns.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 
 using namespace deposition;
 
-/// What a disc rests on; see Rest.
+/// The supports of a disc; see Rest.
 struct Supports {
   std::int32_t first = nothing;
   std::int32_t second = nothing;
@@ -27,22 +28,24 @@ class Deposition final : public Method<2> {
  public:
   explicit Deposition(const DepositionSettings& settings) : settings_(settings) {}
 
-  StepReport advance(Grains<2>& grains, long steps, Team& /*team*/) override {
-    StepReport report;
+  TimeSteps time_steps() const override { return {1.0, false}; }
+  double time() const override { return static_cast<double>(made_); }
+
+  StepReport advance(Grains<2>& grains, double until, Team& /*team*/) override {
+    const std::int64_t before = made_;
+    const std::int64_t last = std::min<std::int64_t>(time_steps().count(until), settings_.count);
     const Roller<Search> roller(settings_, *search_);
-    for (; report.steps < steps && made_ < settings_.count; ++report.steps) {
+    bool trouble = false;
+    while (made_ < last && !trouble) {
       const auto drop = settings_.drop(made_);
       const auto rest = roller.drop(place_of(drop), drop.grain.radius);
-      if (!rest || !std::isfinite(rest->x)) {
-        report.trouble = true;
-        return report;
-      }
-      add(grains, drop, *rest);
+      trouble = !rest || !std::isfinite(rest->x);
+      if (!trouble) add(grains, drop, *rest);
     }
-    return report;
+    return {time(), made_ - before, trouble};
   }
 
-  /// Lists what is there already, and makes room for what is to come.
+  /// Lists the grains that exist, and makes room for those to come.
   void grains_added(Grains<2>& grains) override {
     const auto all = grains.size() + static_cast<std::size_t>(settings_.count - made_);
     grains.reserve(all);
@@ -61,18 +64,12 @@ class Deposition final : public Method<2> {
     for (std::size_t k = 0; k < supports_.size(); ++k) {
       const auto [low, high] = std::minmax(supports_[k].first, supports_[k].second);
       for (const auto support : {low, high}) {
-        if (support >= 0) contacts.list.push_back(touch(grains, k, static_cast<std::size_t>(support)));
+        if (support >= 0)
+          contacts.list.push_back(contact_of_grains(grains, k, static_cast<std::size_t>(support), settings_.box));
       }
     }
     return contacts;
   }
-
-  double time_step() const override { return 1.0; }
-  void set_loads(const std::vector<Load<2>>& /*loads*/) override {}
-  void set_histories(const Grains<2>& /*grains*/, const Contacts<2>& /*contacts*/) override {}
-  const std::vector<WallState>& walls() const override { return no_walls_; }
-  std::vector<Vec<2>> taken_wall_impulses() override { return {}; }
-  Energy energy(const Grains<2>& /*grains*/) const override { return {}; }
 
   void exchange(Archive& archive) override {
     archive.value("deposition/made", made_);
@@ -115,27 +112,10 @@ class Deposition final : public Method<2> {
     for (std::size_t k = 0; k < grains.size(); ++k) search_->add(static_cast<std::int32_t>(k));
   }
 
-  Contact<2> touch(const Grains<2>& grains, std::size_t i, std::size_t j) const {
-    const auto& a = grains.line[i];
-    const auto& b = grains.line[j];
-    const auto d = separation(a.position, b.position, settings_.box);
-    const double distance = magnitude(d);
-    const double reach = a.radius + b.radius;
-    Contact<2> contact;
-    contact.first = grains.id[i];
-    contact.second = grains.id[j];
-    contact.normal = d * (1.0 / distance);
-    contact.overlap = reach - distance;
-    contact.relative_overlap = 2.0 * contact.overlap / reach;
-    contact.first_lever = a.radius;
-    return contact;
-  }
-
   DepositionSettings settings_;
   std::optional<Search> search_;
-  std::vector<Supports> supports_;  // of each grain, in memory order, which is that of ids here
+  std::vector<Supports> supports_;  // one entry per grain, in memory order, which here is the order of ids
   std::int64_t made_ = 0;
-  std::vector<WallState> no_walls_;
 };
 
 }  // namespace

@@ -9,13 +9,12 @@
 
 namespace repose {
 
-/// The method `deposition`: geometry alone. One step deposits one disc by the critical-angle rule (roller.hpp) onto all
-/// that lie there already; time counts discs. It is sequential by nature and uses one thread. Contacts are those at
-/// which each disc came to rest, without forces.
-/// Source: Bratberg (2003), paper one, section II A.
+/// The method `deposition`, which is geometry alone. One step deposits one disc by the critical-angle rule (roller.hpp)
+/// onto the discs deposited before; time counts discs. It is sequential and uses one thread. Contacts are those at
+/// which each disc came to rest, without forces. Source: Bratberg (2003), paper one, section II A.
 std::unique_ptr<Method<2>> make_deposition(const DepositionSettings& settings);
 
-/// The same by looking at every disc each time: slow, the reference for tests.
+/// The same method with a search over every disc: slow, the reference for tests.
 std::unique_ptr<Method<2>> make_deposition_by_brute_force(const DepositionSettings& settings);
 
 }  // namespace repose

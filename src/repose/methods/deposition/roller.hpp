@@ -11,15 +11,16 @@
 #include <numbers>
 #include <optional>
 
-/// Where a dropped disc comes to rest: the critical-angle rule of Bratberg's paper one (section II A), for any sizes.
+/// The critical-angle rule of Bratberg's paper one (section II A), for discs of any size.
 ///
-/// The disc falls upright to its first touch. It sticks where the contact is less than the critical angle off upright;
-/// else it rolls down around the disc that it touches, to the next touch: there it sticks by the same rule, or lies
-/// between the two (the new one on the far side), or rolls on around the new one. Past the equator it falls again.
-/// Everything is exact circle geometry, without angles: comparisons of directions are cross products.
+/// A disc falls vertically until it touches another. It sticks if the angle of the contact from the vertical is less
+/// than the critical angle. Otherwise it rolls down around the disc that it touches, until it touches a second one.
+/// There it sticks by the same rule, or lies between the two (if the second is on the far side), or rolls on around the
+/// second. Below the equator it falls again. The geometry is exact, with circles and without angles: directions are
+/// compared by cross products.
 namespace repose::deposition {
 
-/// What a disc rests on: the number of a disc, or one of these.
+/// A support: the number of a disc, or one of these.
 inline constexpr std::int32_t nothing = -1;
 inline constexpr std::int32_t on_floor = -2;
 inline constexpr std::int32_t on_left_wall = -3;
@@ -33,30 +34,30 @@ struct Fixed {
   double radius = 0.0;
 };
 
-/// Where a disc ends: its place and what it touches there.
+/// The final position of a disc and its supports.
 struct Rest {
-  double x = 0.0;  ///< [L] as it came, perhaps outside a periodic box
+  double x = 0.0;  ///< [L] not wrapped into a periodic box
   double y = 0.0;
-  std::int32_t first = nothing;   ///< what it rolled around or stuck to
-  std::int32_t second = nothing;  ///< what stopped it, if something else did
+  std::int32_t first = nothing;   ///< the support that it rolled around or stuck to
+  std::int32_t second = nothing;  ///< the support that stopped it, if that is another
 };
 
-constexpr double small_angle = 1e-9;   // [rad] a touch this far behind where the disc is counts as here
-constexpr double grazing = 1e-12;      // of the reach: a fall that only grazes passes by
-constexpr double grazing_arc = 1e-14;  // square of the half-width of an arc that only grazes, likewise
+constexpr double small_angle = 1e-9;   // [rad] a touch behind the disc by less than this counts as a touch here
+constexpr double grazing = 1e-12;      // [reach] a falling disc passes one that it would only graze
+constexpr double grazing_arc = 1e-14;  // [reach^2] the same for rolling: square of the half-width of the arc
 
-/// First touch of a falling disc.
+/// The first touch of a falling disc.
 struct Landing {
   Fixed on;
   double y = -std::numeric_limits<double>::infinity();
 };
 
-/// The falling disc and what it has met so far; the highest landing not above where it starts counts.
+/// A falling disc and its highest landing so far, not above the start.
 struct Fall {
   double x;
   double radius;
-  double start;       ///< [L] y from which it falls
-  Fixed leave_out{};  ///< the disc beside which it falls
+  double start;       ///< [L] y at which the fall starts
+  Fixed leave_out{};  ///< the disc beside which it falls, and which it does not meet
   Landing best{};
 
   REPOSE_FN void consider(const Fixed& disc) {
@@ -73,20 +74,20 @@ struct Fall {
   }
 };
 
-/// The arc of a disc that rolls around `pivot`, to the side +1 (right) or -1, and the first touch on it. Offsets from
-/// the pivot are (u, y) with u along the side.
+/// The arc of a disc that rolls around `pivot` to the side +1 (right) or -1 (left), and the first touch on it. Offsets
+/// from the pivot are (u, y), with u positive towards that side.
 struct Arc {
   Fixed pivot;
   double radius;
   double side;
-  double u0;  ///< where it starts
+  double u0;  ///< offset at the start
   double y0;
   double reach = pivot.radius + radius;
   Fixed met{};
-  double u = 0.0;  ///< where it meets that
+  double u = 0.0;  ///< offset at the first touch
   double y = 0.0;
 
-  /// Clockwise advance of (u_a, y_a) over (u_b, y_b), times the squared reach.
+  /// The sine of the angle by which (u_a, y_a) is ahead of (u_b, y_b), clockwise, times the squared reach.
   static double ahead(double u_a, double y_a, double u_b, double y_b) { return u_a * y_b - y_a * u_b; }
 
   REPOSE_FN void consider(const Fixed& disc) {
@@ -95,10 +96,10 @@ struct Arc {
     const double e2 = ex * ex + ey * ey;
     const double other = radius + disc.radius;
     if (e2 >= (reach + other) * (reach + other)) return;
-    // What lies behind is met from the back only, unless it is so large that it reaches around the pivot.
+    // A disc behind is met from the back only, unless it is so large that it extends around the pivot.
     if (ex <= 0.0 && other * other <= reach * reach + e2) return;
     if (disc.number == pivot.number && disc.x == pivot.x) return;
-    // Where the centre is `reach` from the pivot and `other` from the disc; of the two the one met first.
+    // The two positions with the centre at `reach` from the pivot and `other` from the disc; this is the one met first.
     const double along = 0.5 * (1.0 + (reach * reach - other * other) / e2);
     const double across2 = reach * reach / e2 - along * along;
     if (!(across2 * e2 > grazing_arc * reach * reach)) return;
@@ -116,8 +117,8 @@ struct Arc {
   }
 };
 
-/// Drops discs onto those that `Search` knows. A search has `fall(Fall&)` and `roll(Arc&)`, which show to `consider`
-/// every disc, and image, that could be met.
+/// Drops discs onto those that a `Search` knows. A search has the functions `fall(Fall&)` and `roll(Arc&)`, which call
+/// `consider` for every disc and image that could be met.
 template <class Search>
 class Roller {
  public:
@@ -128,7 +129,7 @@ class Roller {
                            ? 0.0
                            : std::cos(settings.critical_angle_deg * std::numbers::pi / 180.0)) {}
 
-  /// None if the disc falls for ever, or does not come to rest.
+  /// The final position of a disc dropped at x; none if it falls without end or does not come to rest.
   std::optional<Rest> drop(double x, double radius) const {
     Fall fall{x, radius, std::numeric_limits<double>::infinity()};
     if (!land(fall)) return std::nullopt;
@@ -152,7 +153,7 @@ class Roller {
         rest.second = arc.met.number;
         const bool between = arc.met.number < nothing || side * (arc.met.x - rest.x) > 0.0;
         if (between) return rest;
-        std::swap(rest.first, rest.second);  // it touches both, and goes on around the new one
+        std::swap(rest.first, rest.second);  // it touches both, and rolls on around the second
         pivot = arc.met;
         continue;
       }
@@ -181,8 +182,8 @@ class Roller {
     if (settings_.box.periodic) return;
     const bool right = arc.side > 0.0;
     const double wall = right ? settings_.box.x_max : settings_.box.x_min;
-    const double room = arc.side * (wall - arc.pivot.x) - arc.radius;
-    if (room < arc.reach) arc.meet({right ? on_right_wall : on_left_wall}, room, height(room));
+    const double to_wall = arc.side * (wall - arc.pivot.x) - arc.radius;
+    if (to_wall < arc.reach) arc.meet({right ? on_right_wall : on_left_wall}, to_wall, height(to_wall));
   }
 
   const DepositionSettings& settings_;

@@ -11,24 +11,25 @@
 
 namespace repose {
 
-/// A disc about to be dropped.
+/// A disc to be dropped.
 struct DroppedDisc {
-  double place = 0.0;  ///< in [0, 1): where between the sides
+  double place = 0.0;  ///< in [0, 1): relative position between the sides
   Grain<2> grain;      ///< its radius and masses
   std::uint16_t material = 0;
 };
 
-/// How discs are deposited one by one, and on what.
+/// The settings of the method `deposition`.
 struct DepositionSettings {
-  double critical_angle_deg = 50.0;  ///< in [0, 90]: a disc sticks to one whose contact is less than this off upright
-  Box<2> box;                        ///< x periodic, or between two smooth walls at its sides
+  double critical_angle_deg = 50.0;  ///< in [0, 90]: a disc sticks if its contact is less than this from the vertical
+  Box<2> box;                        ///< x is periodic, or bounded by two smooth side walls
   double floor = -std::numeric_limits<double>::infinity();  ///< [L] y of a flat floor, on which every disc stops
-  double smallest_radius = 0.5;                             ///< [L] of all discs, base included, > 0
-  double largest_radius = 0.5;                              ///< [L]
-  bool snapped =
-      false;  ///< places are multiples of 2^-40 of the largest radius: rounding cannot grow from layer to layer
-  std::int64_t count = 0;                         ///< discs to deposit
-  std::function<DroppedDisc(std::int64_t)> drop;  ///< the k-th of them, a function of k alone
+  double smallest_radius = 0.5;                             ///< [L] smallest of all discs, base included, > 0
+  double largest_radius = 0.5;                              ///< [L] largest of all discs, base included
+  /// Whether positions are multiples of 2^-40 of the largest radius, so that rounding does not grow from layer to
+  /// layer.
+  bool snapped = false;
+  std::int64_t count = 0;                         ///< number of discs to deposit
+  std::function<DroppedDisc(std::int64_t)> drop;  ///< the k-th disc, a function of k alone
 };
 
 }  // namespace repose

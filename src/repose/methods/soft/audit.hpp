@@ -9,11 +9,12 @@
 
 #include <cstddef>
 
-/// The account of the energy. Force times the mean velocity over a kick is the exact change of kinetic energy, so what
-/// dashpots and friction do is summed kick by kick, for each grain apart: the sums do not depend on the threads.
+/// The energy budget. Force times the mean velocity over a kick is the exact change of kinetic energy. So the work of
+/// dashpots and friction is summed kick by kick, separately for each grain, and the sums do not depend on the number of
+/// threads.
 namespace repose::soft {
 
-/// Work that dissipative forces have done on a grain [M L^2/T^2], counted positive.
+/// The energy that dissipative forces have removed from a grain [M L^2/T^2], counted positive.
 struct GrainWork {
   double damping = 0.0;
   double friction = 0.0;
@@ -26,7 +27,8 @@ inline void add(Energy& account, const GrainWork& work) {
   account.walls += work.walls;
 }
 
-/// Adds the kinetic and gravitational energy of a grain at the time of its velocity, `back` [T] ago.
+/// Adds the kinetic and gravitational energy of a grain at the time of its velocity, which is `back` [T] before its
+/// position.
 template <int D>
 void add_own(Energy& account, const Grains<D>& grains, std::size_t i, const SoftSettings<D>& settings, double back) {
   auto grain = grains.line[i];
@@ -39,7 +41,7 @@ void add_own(Energy& account, const Grains<D>& grains, std::size_t i, const Soft
   account.gravitational -= grain.mass * dot(settings.gravity, grain.position);
 }
 
-/// Both, as one number; 0 for a fixed grain.
+/// The sum of both; 0 for a fixed grain.
 template <int D>
 double own_energy(const Grains<D>& grains, std::size_t i, const SoftSettings<D>& settings, double back) {
   if (grains.line[i].fixed()) return 0.0;

@@ -12,22 +12,22 @@
 
 namespace repose::soft {
 
-/// Geometry and relative motion of a pair within reach.
+/// The geometry and relative motion of a pair in reach.
 template <int D>
 struct PairGeometry {
   Touch<double> touch;
-  Vec<D> normal;  ///< from the second to the first
-  Tangent<D> slip_velocity;
-  Tangent<D> roll_velocity;
-  double lever;  ///< contact point from either centre, over the radius of that grain
+  Vec<D> normal;             ///< unit vector from the second to the first
+  Tangent<D> slip_velocity;  ///< [L/T]
+  Tangent<D> roll_velocity;  ///< [L/T]
+  double lever;              ///< distance of a centre from the contact point over the radius of that grain
 };
 
 /// The part of a difference of angular velocities that is rolling: in 3D, all but the spin about the normal.
 REPOSE_FN double rolling_part(double spin, const Vec<2>&) { return spin; }
 REPOSE_FN Vec<3> rolling_part(const Vec<3>& spin, const Vec<3>& normal) { return tangential(spin, normal); }
 
-/// The pair as a law sees it. Each grain's lever is its own share r s_i / (s_i + s_j) of the distance r: with the whole
-/// distance, as printed in Baxter et al. (6) and (13), a rigid rotation would count as slip.
+/// The pair as a law sees it. The lever of each grain is its fraction r s_i / (s_i + s_j) of the distance r. With the
+/// whole distance, as printed in Baxter et al. (6) and (13), a rigid rotation would count as slip.
 template <int D>
 REPOSE_FN PairGeometry<D> pair_geometry(const Grain<D>& a, const Grain<D>& b, const Vec<D>& d, double distance2,
                                         double reach) {
@@ -46,10 +46,10 @@ REPOSE_FN PairGeometry<D> pair_geometry(const Grain<D>& a, const Grain<D>& b, co
           tangential(relative, normal) - spin_cross(rim * lever, normal), rolling_part(turning, normal), lever};
 }
 
-/// What the forces of a contact do to its grains, of these radii.
+/// Converts the forces of a contact to the push on its grains, which have these radii.
 template <int D, bool Full>
-REPOSE_FN void set_push(const PairGeometry<D>& pair, const ContactForce<Tangent<D>>& force, double radius,
-                        double back_radius, Push<D, Full>& push) {
+REPOSE_FN void to_push(const PairGeometry<D>& pair, const ContactForce<Tangent<D>>& force, double radius,
+                       double back_radius, Push<D, Full>& push) {
   const Vec<D> friction = in_space(force.tangential, pair.normal);
   push.force = pair.normal * (force.normal.total - force.attraction) + friction;
   push.rim_torque = normal_cross(pair.normal, force.tangential) * -pair.lever;
@@ -61,8 +61,8 @@ REPOSE_FN void set_push(const PairGeometry<D>& pair, const ContactForce<Tangent<
   }
 }
 
-/// Force of pair (a, b) on a; brings the history forward by dt, `roll` only in a full kernel. False, and the history
-/// zero, if the pair is apart.
+/// Computes the push of pair (a, b) on a, and advances the slip displacement by dt; in a full kernel also the rolling
+/// displacement. If the pair is out of reach, returns false and sets the displacements to zero.
 template <bool Periodic, int D, class Law, bool Full>
 REPOSE_FN bool pair_force(const Law& law, const Grain<D>& a, const Grain<D>& b, const Box<D>& box, double dt,
                           Tangent<D>& slip, Tangent<D>& roll, Push<D, Full>& push) {
@@ -80,11 +80,11 @@ REPOSE_FN bool pair_force(const Law& law, const Grain<D>& a, const Grain<D>& b, 
   const auto force = contact_force(law, pair.touch, pair.slip_velocity, pair.roll_velocity, dt, history);
   slip = history.slip;
   if constexpr (Full) roll = history.roll;
-  set_push(pair, force, a.radius, b.radius, push);
+  to_push(pair, force, a.radius, b.radius, push);
   return true;
 }
 
-/// The same where nothing resists rolling.
+/// The same without resistance to rolling.
 template <bool Periodic, int D, class Law>
 REPOSE_FN bool pair_force(const Law& law, const Grain<D>& a, const Grain<D>& b, const Box<D>& box, double dt,
                           Tangent<D>& slip, Push<D>& push) {
@@ -92,8 +92,8 @@ REPOSE_FN bool pair_force(const Law& law, const Grain<D>& a, const Grain<D>& b, 
   return pair_force<Periodic>(law, a, b, box, dt, slip, roll, push);
 }
 
-/// Geometry of a grain and a wall: the wall is a grain of the same size and nominal mass that no grain can move.
-/// False if the two are apart.
+/// The geometry of a grain and a wall. The wall counts as a grain of the same size and nominal mass that contacts do
+/// not move. Returns false if the two are out of reach.
 template <int D, class Law>
 REPOSE_FN bool wall_geometry(const Law& law, const Grain<D>& a, const Wall<D>& wall, const WallNow<D>& now,
                              const Box<D>& box, PairGeometry<D>& pair) {
@@ -102,7 +102,7 @@ REPOSE_FN bool wall_geometry(const Law& law, const Grain<D>& a, const Wall<D>& w
   const auto place = above(wall, from_point);
   const double distance = wall.smooth ? place.height : place.height + a.radius;
   const double within = reach(law.normal) * diameter;
-  if (!now.there || distance >= within) return false;
+  if (!now.present || distance >= within) return false;
   const Vec<D> relative = a.velocity - now.velocity;
   const Tangent<D> slip = tangential(relative, place.normal) - spin_cross(a.rim_velocity, place.normal);
   pair = {
@@ -111,7 +111,7 @@ REPOSE_FN bool wall_geometry(const Law& law, const Grain<D>& a, const Wall<D>& w
   return true;
 }
 
-/// All forces of a grain and a wall.
+/// The forces between a grain and a wall.
 template <int D, class Law>
 REPOSE_FN ContactForce<Tangent<D>> wall_contact(const Law& law, const Wall<D>& wall, const PairGeometry<D>& pair,
                                                 double dt, ContactHistory<Tangent<D>>& history) {

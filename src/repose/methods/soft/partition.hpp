@@ -12,87 +12,87 @@
 
 namespace repose::soft {
 
-/// A pair whose second grain is not in reach of its member's ring: it belongs to another member, or lies far away in
-/// memory. Its force is computed before the sweep, from the state that every member still has.
+/// A pair whose second grain is out of reach of the member's ring: it belongs to another member, or lies far away in
+/// memory. Its force is computed before the sweep, while no grain has moved.
 struct EdgePair {
-  std::uint32_t i;
-  std::uint32_t k;  ///< place in the pair list
+  std::uint32_t i;  ///< index of the first grain
+  std::uint32_t k;  ///< index in the pair list
 };
 
-/// Where the force of an edge pair arrives.
+/// The force of an edge pair on its second grain.
 struct Arrival {
-  std::uint32_t j;
-  std::uint32_t member;  ///< whose edge pair
-  std::uint32_t edge;    ///< which of them
+  std::uint32_t j;       ///< index of the second grain
+  std::uint32_t member;  ///< member that computes the edge pair
+  std::uint32_t edge;    ///< index among the edge pairs of that member
 };
 
-/// A grain in memory on which an outer force acts.
+/// A grain on which an external force acts.
 template <int D>
 struct LoadedGrain {
-  std::uint32_t i;
+  std::uint32_t i;     ///< index of the grain
   std::uint32_t load;  ///< number of the load
   Vec<D> force;        ///< [M L/T^2]
 };
 
-/// One member's contiguous range of grains and its workspace.
+/// The contiguous range of grains of one member of the team, and its working memory.
 template <int D, bool Full>
-struct Share {
+struct Workspace {
   Range rows;
-  std::vector<EdgePair> edges;             ///< ascending by (i, k): the order in which the sweep comes to them
-  std::vector<Push<D, Full>> edge_push;    ///< forces of the edges in this step
-  std::vector<Arrival> arrivals;           ///< edges that end in this range, ascending by (j, i)
-  std::vector<Slot<D, Full>> ring;         ///< size a power of two, more than the bandwidth
-  std::vector<std::uint32_t> special;      ///< grains fixed, near a wall or loaded, ascending; then one beyond all
-  std::vector<Slot<D, Full>> special_sum;  ///< their pushes by other grains
-  std::vector<WallState> walls;            ///< every member moves the walls itself, by the same numbers
+  std::vector<EdgePair> edges;             ///< ascending by (i, k), the order of the sweep
+  std::vector<Push<D, Full>> edge_push;    ///< forces of the edge pairs in this step
+  std::vector<Arrival> arrivals;           ///< edge pairs whose second grain is in this range, ascending by (j, i)
+  std::vector<Slot<D, Full>> ring;         ///< its size is a power of two above the bandwidth
+  std::vector<std::uint32_t> special;      ///< fixed, near a wall or loaded grains, ascending; the last is a sentinel
+  std::vector<Slot<D, Full>> special_sum;  ///< sums of their pushes by other grains
+  std::vector<WallState> walls;            ///< every member moves the walls itself, from the same numbers
   std::vector<WallNow<D>> walls_now;
-  double fastest2 = 0.0;  ///< [L^2/T^2] of grains and walls in this step
+  double fastest2 = 0.0;  ///< [L^2/T^2] largest squared speed of grains and walls in this step
   bool trouble = false;
 };
 
-/// Last partner (exclusive) of row i whose force may go into the ring of the member with these rows.
+/// The end (exclusive) of the partners of row i whose forces go into the ring of the member with these rows.
 inline std::uint32_t ring_end(const Range& rows, std::uint32_t i, std::uint32_t far) {
   const auto furthest = static_cast<std::size_t>(i) + far + 1;
   return static_cast<std::uint32_t>(furthest < rows.end ? furthest : rows.end);
 }
 
-/// Splits the grains among the members of a team by the work in their rows and finds the edges.
+/// Divides the grains among the members of a team by the work in their rows, and finds the edge pairs.
 template <int D, bool Full>
-std::vector<Share<D, Full>> make_shares(const PairList<D>& pairs, std::size_t grains, int members) {
-  std::vector<Share<D, Full>> shares(static_cast<std::size_t>(members));
+std::vector<Workspace<D, Full>> make_workspaces(const PairList<D>& pairs, std::size_t grains, int members) {
+  std::vector<Workspace<D, Full>> workspaces(static_cast<std::size_t>(members));
   const double row_cost = 2.0;  // a row without pairs costs about as much as two pairs
   const double all = static_cast<double>(pairs.pairs()) + row_cost * static_cast<double>(grains);
   std::size_t i = 0;
   for (int m = 0; m < members; ++m) {
-    auto& rows = shares[static_cast<std::size_t>(m)].rows;
+    auto& rows = workspaces[static_cast<std::size_t>(m)].rows;
     rows.begin = i;
     const double until = all * (m + 1) / members;
     while (i < grains && (m + 1 == members || pairs.row_start[i] + row_cost * static_cast<double>(i) < until)) ++i;
     rows.end = i;
   }
-  for (std::size_t m = 0; m < shares.size(); ++m) {
-    auto& share = shares[m];
-    for (auto row = static_cast<std::uint32_t>(share.rows.begin); row < share.rows.end; ++row) {
-      const auto end = ring_end(share.rows, row, PairList<D>::far);
+  for (std::size_t m = 0; m < workspaces.size(); ++m) {
+    auto& space = workspaces[m];
+    for (auto row = static_cast<std::uint32_t>(space.rows.begin); row < space.rows.end; ++row) {
+      const auto end = ring_end(space.rows, row, PairList<D>::far);
       for (auto k = pairs.row_start[row]; k < pairs.row_start[row + 1]; ++k) {
-        if (pairs.partner[k] >= end) share.edges.push_back({row, k});
+        if (pairs.partner[k] >= end) space.edges.push_back({row, k});
       }
     }
-    share.edge_push.resize(share.edges.size());
-    share.ring.assign(std::bit_ceil(static_cast<std::size_t>(pairs.bandwidth) + 1), {});
-    for (std::size_t e = 0; e < share.edges.size(); ++e) {
-      const auto j = pairs.partner[share.edges[e].k];
+    space.edge_push.resize(space.edges.size());
+    space.ring.assign(std::bit_ceil(static_cast<std::size_t>(pairs.bandwidth) + 1), {});
+    for (std::size_t e = 0; e < space.edges.size(); ++e) {
+      const auto j = pairs.partner[space.edges[e].k];
       std::size_t home = m;
-      while (j >= shares[home].rows.end) ++home;
-      shares[home].arrivals.push_back({j, static_cast<std::uint32_t>(m), static_cast<std::uint32_t>(e)});
+      while (j >= workspaces[home].rows.end) ++home;
+      workspaces[home].arrivals.push_back({j, static_cast<std::uint32_t>(m), static_cast<std::uint32_t>(e)});
     }
   }
-  // Members and their edges were gone through by ascending i, so a stable sort by j leaves i ascending for each j.
-  for (auto& share : shares) {
-    std::stable_sort(share.arrivals.begin(), share.arrivals.end(),
+  // Arrivals were added by ascending i, so a stable sort by j leaves i ascending for each j.
+  for (auto& space : workspaces) {
+    std::stable_sort(space.arrivals.begin(), space.arrivals.end(),
                      [](const Arrival& a, const Arrival& b) { return a.j < b.j; });
   }
-  return shares;
+  return workspaces;
 }
 
 }  // namespace repose::soft

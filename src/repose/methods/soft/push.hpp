@@ -6,25 +6,25 @@
 
 namespace repose::soft {
 
-// A kernel is lean or full. The lean one knows forces alone; the full one also rolling torques, and which part of a
-// force dissipates, for the energy audit. Both give the same bits where both apply.
+// A kernel is lean or full. A lean kernel computes forces only; a full one also rolling torques, and the dissipative
+// part of each force for the energy budget. Both give the same bits where both apply.
 
-/// What a contact does to its first grain; the second feels minus the force.
+/// The push of a contact on its first grain; the force on the second is its negative.
 template <int D, bool Full = false>
 struct Push {
   Vec<D> force{};        ///< [M L/T^2]
-  Spin<D> rim_torque{};  ///< [M L/T^2] torque over radius: what changes the rim velocity; the same on the second
+  Spin<D> rim_torque{};  ///< [M L/T^2] torque over radius, which changes the rim velocity; equal on the second grain
 };
 template <int D>
 struct Push<D, true> {
   Vec<D> force{};
   Spin<D> rim_torque{};
-  Spin<D> back_rim_torque{};  ///< of the second grain: rolling resistance acts on it the other way round
-  Vec<D> damping{};           ///< [M L/T^2] part of the force that is the dashpot's
-  Vec<D> friction{};          ///< [M L/T^2] part of the force that is tangential
+  Spin<D> back_rim_torque{};  ///< [M L/T^2] on the second grain, where rolling resistance has the opposite sign
+  Vec<D> damping{};           ///< [M L/T^2] part of the force by the dashpot
+  Vec<D> friction{};          ///< [M L/T^2] tangential part of the force
 };
 
-/// Sum of the pushes on a grain: 32 bytes in 2D if lean.
+/// The sum of the pushes on a grain: 32 bytes in 2D in a lean kernel.
 template <int D, bool Full = false>
 struct alignas(32) Slot {
   Vec<D> force{};

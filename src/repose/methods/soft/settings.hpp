@@ -10,17 +10,17 @@
 
 namespace repose {
 
-/// What the soft method needs to know besides the laws.
+/// The settings of the soft method apart from the laws.
 template <int D>
 struct SoftSettings {
   double time_step = 0.0;  ///< [T] > 0
   Vec<D> gravity{};        ///< [L/T^2]
   Box<D> box{};
   std::vector<Wall<D>> walls;
-  bool synchronised = false;  ///< forces from velocities predicted for the full step (large size ratios)
-  bool audit = false;         ///< keep account of the energy; in a full kernel only
-  bool reference = false;     ///< run the general kernel even where a fused one gives the same bits faster
-  double skin = 0.3;          ///< [L] of the pair list
+  bool synchronised = false;  ///< compute forces from velocities predicted for the full step (large size ratios)
+  bool audit = false;         ///< keep the energy budget; in a full kernel only
+  bool reference = false;     ///< use the general kernel even if a fused one gives the same bits faster
+  double skin = 0.3;          ///< [L] skin of the pair list
 };
 
 }  // namespace repose

@@ -9,7 +9,7 @@ namespace repose {
 
 namespace {
 
-/// The table as laws of one fused kernel, if every pair of materials is made of these two and nothing else.
+/// The table as laws of one fused kernel, if every pair of materials has exactly these two laws.
 template <class Normal, class Tangential>
 std::optional<MaterialTable<PairLaw<Normal, Tangential>>> fused(const MaterialLaws& laws) {
   std::vector<PairLaw<Normal, Tangential>> table;
@@ -24,7 +24,7 @@ std::optional<MaterialTable<PairLaw<Normal, Tangential>>> fused(const MaterialLa
   return MaterialTable<PairLaw<Normal, Tangential>>(std::move(table), laws.materials);
 }
 
-/// The combinations that people run all the time have kernels of their own: the first that fits is taken.
+/// Makes the method with the first fused kernel that fits. Common combinations of laws have fused kernels.
 template <int D, class... Laws>
 std::unique_ptr<Method<D>> make_fused(const MaterialLaws& laws, const SoftSettings<D>& settings) {
   std::unique_ptr<Method<D>> made;

@@ -17,10 +17,10 @@
 
 namespace repose {
 
-/// Soft-particle dynamics: forces from overlap, explicit leapfrog.
+/// Soft-particle dynamics: forces from overlaps, integrated by explicit leapfrog.
 /// Source: Baxter et al. (1997), section II, as corrected in docs/physics/soft.md.
 ///
-/// `Full` kernels know rolling resistance and keep account of the energy; the others are faster.
+/// `Full` kernels include rolling resistance and the energy budget; the others are faster.
 template <int D, class Law, bool Full = std::is_same_v<Law, AnyPairLaw>>
 class Soft final : public Method<D> {
  public:
@@ -51,25 +51,29 @@ class Soft final : public Method<D> {
     refresh_pairs(grains, team);
   }
 
-  StepReport advance(Grains<D>& grains, long steps, Team& team) override {
+  TimeSteps time_steps() const override { return {settings_.time_step, true}; }
+  double time() const override { return time_steps().after(step_); }
+
+  StepReport advance(Grains<D>& grains, double until, Team& team) override {
     StepReport report;
+    const long steps = time_steps().count(until) - step_;
     while (report.steps < steps && !report.trouble) {
       refresh_pairs(grains, team);
       const long before = report.steps;
       const long start = step_;
       team.run([&](int member) {
-        // Every member goes through the same numbers and comes to the same decisions.
-        auto& mine = shares_[static_cast<std::size_t>(member)];
+        // Every member computes the same numbers and takes the same decisions.
+        auto& mine = workspaces_[static_cast<std::size_t>(member)];
         long done = before;
         double travelled = pairs_.travelled();
         bool trouble = false;
         while (done < steps && !trouble && travelled <= pairs_.slack()) {
           const auto in = input(start + done - before);
-          soft::sweep(in, grains, shares_, team, member);
+          soft::sweep(in, grains, workspaces_, team, member);
           double fastest2 = 0.0;
-          for (const auto& share : shares_) {
-            fastest2 = std::max(fastest2, share.fastest2);
-            trouble |= share.trouble;
+          for (const auto& space : workspaces_) {
+            fastest2 = std::max(fastest2, space.fastest2);
+            trouble |= space.trouble;
           }
           soft::move_walls(in, mine);
           for (const auto& wall : mine.walls) fastest2 = std::max(fastest2, squared(wall.speed));
@@ -78,30 +82,29 @@ class Soft final : public Method<D> {
         }
         if (team.size() > 1) team.wait();
         if (member != 0) return;
-        pairs_.moved(travelled - pairs_.travelled());
+        pairs_.set_travelled(travelled);
         walls_ = mine.walls;
         report.steps = done;
         report.trouble = trouble;
       });
       step_ += report.steps - before;
     }
+    report.time = time();
     return report;
   }
 
   Contacts<D> contacts(const Grains<D>& grains) const override;
 
-  double time_step() const override { return settings_.time_step; }
-
   void set_loads(const std::vector<Load<D>>& loads) override {
     loads_ = loads;
     load_work_.resize(loads_.size(), 0.0);
-    pairs_.invalidate();  // where the loaded grains are is found out with the next list
+    pairs_.invalidate();  // the next build finds the loaded grains
   }
 
   void set_histories(const Grains<D>& grains, const Contacts<D>& contacts) override;
 
   const std::vector<WallState>& walls() const override { return walls_; }
-  std::vector<Vec<D>> taken_wall_impulses() override { return wall_list_.taken_impulses(walls_.size()); }
+  std::vector<Vec<D>> take_wall_impulses() override { return wall_list_.take_impulses(walls_.size()); }
   Energy energy(const Grains<D>& grains) const override;
 
   void exchange(Archive& archive) override {
@@ -119,13 +122,14 @@ class Soft final : public Method<D> {
   }
 
   void restored(const Grains<D>& grains, const Team& team) override {
-    if (pairs_.valid()) share_out(grains, team);
+    if (pairs_.valid()) distribute(grains, team);
   }
 
   const PairList<D>& pairs() const { return pairs_; }
 
  private:
-  /// Fast grains list what they can meet in this many steps: of the order of the time between two builds in a heap.
+  /// Fast grains list all grains that they may reach within this many steps, about the number between two builds in a
+  /// heap.
   static constexpr double look_ahead_steps = 256.0;
 
   double widest_reach() const {
@@ -134,14 +138,12 @@ class Soft final : public Method<D> {
     return widest;
   }
 
-  /// How far velocities are behind positions [T]: half a step, except at the start of time.
+  /// The time [T] by which velocities are behind positions: half a step, and 0 at the start.
   double behind() const { return step_ > 0 ? 0.5 * settings_.time_step : 0.0; }
-
-  double now() const { return static_cast<double>(step_) * settings_.time_step; }
 
   std::vector<WallNow<D>> walls_now() const {
     std::vector<WallNow<D>> all;
-    for (std::size_t w = 0; w < walls_.size(); ++w) all.push_back(wall_now(settings_.walls[w], walls_[w], now()));
+    for (std::size_t w = 0; w < walls_.size(); ++w) all.push_back(wall_now(settings_.walls[w], walls_[w], time()));
     return all;
   }
 
@@ -154,7 +156,7 @@ class Soft final : public Method<D> {
   }
 
   void refresh_pairs(Grains<D>& grains, Team& team) {
-    if (!pairs_.suspect() || !pairs_.stale(grains, furthest_wall())) return;
+    if (!pairs_.may_be_stale() || !pairs_.stale(grains, furthest_wall())) return;
     if (settings_.audit) close_work(grains);
     const auto order = pairs_.build(grains, settings_.box, team);
     known_ = grains.size();
@@ -162,39 +164,40 @@ class Soft final : public Method<D> {
     const auto now = walls_now();
     wall_list_.build(grains, order, settings_.walls, now, settings_.box, pairs_, widest_reach(), settings_.skin);
     walls_at_build_ = walls_;
-    share_out(grains, team);
+    distribute(grains, team);
     account_for_start(grains);
   }
 
-  /// What contacts store that are there at the start of time comes from the sources.
+  /// Counts the energy that contacts store at the start as energy of the sources.
   void account_for_start(const Grains<D>& grains) {
     if (!settings_.audit || step_ > 0) return;
     Energy start;
     add_elastic(start, grains);
-    const double pressed = start.elastic + start.dissipated();  // less what springs of friction would store at once
+    const double pressed = start.elastic + start.dissipated();  // without the energy in springs of friction
     energy_.sources += pressed - elastic_at_start_;
     elastic_at_start_ = pressed;
   }
 
-  /// Deals the present list out among the members of the team.
-  void share_out(const Grains<D>& grains, const Team& team) {
+  /// Distributes the present list among the members of the team.
+  void distribute(const Grains<D>& grains, const Team& team) {
     const auto now = walls_now();
     find_loaded(grains);
-    shares_ = soft::make_shares<D, Full>(pairs_, grains.size(), team.size());
-    for (auto& share : shares_) {
-      share.walls = walls_;
-      share.walls_now = now;
-      for (auto i = static_cast<std::uint32_t>(share.rows.begin); i < share.rows.end; ++i) {
-        if (is_special(grains, i)) share.special.push_back(i);
+    workspaces_ = soft::make_workspaces<D, Full>(pairs_, grains.size(), team.size());
+    for (auto& space : workspaces_) {
+      space.walls = walls_;
+      space.walls_now = now;
+      for (auto i = static_cast<std::uint32_t>(space.rows.begin); i < space.rows.end; ++i) {
+        if (is_special(grains, i)) space.special.push_back(i);
       }
-      share.special.push_back(std::numeric_limits<std::uint32_t>::max());
-      share.special_sum.assign(share.special.size(), {});
+      space.special.push_back(std::numeric_limits<std::uint32_t>::max());
+      space.special_sum.assign(space.special.size(), {});
     }
     smallest_radius_ = std::numeric_limits<double>::infinity();
     for (const auto& grain : grains.line) smallest_radius_ = std::min(smallest_radius_, grain.radius);
   }
 
-  /// Takes the work of every grain into the account before grains are reordered or dropped, and what leaves with these.
+  /// Adds the work of every grain, and the energy of grains that leave, to the budget before grains are reordered or
+  /// dropped.
   void close_work(const Grains<D>& grains) {
     for (const auto& work : work_) soft::add(energy_, work);
     work_.clear();
@@ -217,10 +220,12 @@ class Soft final : public Method<D> {
     std::stable_sort(loaded_.begin(), loaded_.end(), [](const auto& a, const auto& b) { return a.i < b.i; });
   }
 
-  /// Whether the sweep must do more for a grain than move it.
+  /// Whether a grain is fixed, near a wall or loaded, so that the sweep must do more than move it.
   bool is_special(const Grains<D>& grains, std::uint32_t i) const {
     const bool near_wall = wall_list_.any() && wall_list_.row_start[i] != wall_list_.row_start[i + 1];
-    const bool loaded = std::any_of(loaded_.begin(), loaded_.end(), [&](const auto& grain) { return grain.i == i; });
+    const auto place = std::lower_bound(loaded_.begin(), loaded_.end(), i,
+                                        [](const auto& grain, std::uint32_t row) { return grain.i < row; });
+    const bool loaded = place != loaded_.end() && place->i == i;
     return grains.line[i].fixed() || near_wall || loaded;
   }
 
@@ -232,7 +237,7 @@ class Soft final : public Method<D> {
   }
 
   /// Calls use(first id, second id or wall, law, geometry, force, history, lever of the first) for every pair in reach,
-  /// in the order of the lists, with places `back` [T] ago and histories brought forward by as much.
+  /// in the order of the lists, with positions `back` [T] ago and histories advanced by as much.
   template <class Use>
   void for_every_contact(const Grains<D>& grains, double back, const Use& use) const;
 
@@ -244,14 +249,14 @@ class Soft final : public Method<D> {
   std::vector<WallState> walls_at_build_;
   WallList<D> wall_list_;
   std::vector<Load<D>> loads_;
-  std::vector<double> load_work_;             // [M L^2/T^2] per load
-  std::vector<soft::LoadedGrain<D>> loaded_;  // of the present list
-  std::vector<soft::Share<D, Full>> shares_;
+  std::vector<double> load_work_;             // [M L^2/T^2] work of each load
+  std::vector<soft::LoadedGrain<D>> loaded_;  // loaded grains of the present list
+  std::vector<soft::Workspace<D, Full>> workspaces_;
   double smallest_radius_ = 0.0;
-  Energy energy_;                      // what came and went; of dissipation, what was before the present list
-  std::vector<soft::GrainWork> work_;  // since the present list was built
-  double elastic_at_start_ = 0.0;      // of contacts that are there at the start of time
-  std::size_t known_ = 0;              // grains whose energy is in the account
+  Energy energy_;                      // energy supplied and lost, and that dissipated before the present list
+  std::vector<soft::GrainWork> work_;  // dissipated since the present list was built, for each grain
+  double elastic_at_start_ = 0.0;      // stored by contacts at the start
+  std::size_t known_ = 0;              // number of grains whose energy is in the budget
 };
 
 template <int D, class Law, bool Full>
@@ -266,7 +271,7 @@ void Soft<D, Law, Full>::for_every_contact(const Grains<D>& grains, double back,
   for (std::uint32_t i = 0; i < pairs_.rows(); ++i) {
     for (auto k = pairs_.row_start[i]; k < pairs_.row_start[i + 1]; ++k) {
       const auto j = pairs_.partner[k];
-      // Pairs by ascending id, whatever their order in memory.
+      // Pairs by ascending id, independently of their order in memory.
       const bool swap = grains.id[j] < grains.id[i];
       const auto a = swap ? j : i;
       const auto b = swap ? i : j;
@@ -278,7 +283,7 @@ void Soft<D, Law, Full>::for_every_contact(const Grains<D>& grains, double back,
       if (dot(d, d) >= within * within) continue;
       const auto pair = soft::pair_geometry(first, second, d, dot(d, d), within);
       ContactHistory<Tangent<D>> history;
-      history.slip = turned(swap ? swapped(pairs_.history[k]) : pairs_.history[k], pair.normal);
+      history.slip = turned(swap ? swapped(pairs_.slip[k]) : pairs_.slip[k], pair.normal);
       if constexpr (Full) history.roll = turned(swap ? -pairs_.roll[k] : pairs_.roll[k], pair.normal);
       const auto force = contact_force(law, pair.touch, pair.slip_velocity, pair.roll_velocity, back, history);
       use(grains.id[a], grains.id[b], law, pair, force, history, pair.lever * first.radius);
@@ -298,7 +303,7 @@ void Soft<D, Law, Full>::for_every_contact(const Grains<D>& grains, double back,
       if (!soft::wall_geometry(law, grain, wall, place, settings_.box, pair)) continue;
       ContactHistory<Tangent<D>> history{turned(contact.slip, pair.normal), turned(contact.roll, pair.normal)};
       const auto force = soft::wall_contact(law, wall, pair, back, history);
-      use(grains.id[i], plane_partner(contact.wall), law, pair, force, history, grain.radius);
+      use(grains.id[i], wall_partner(contact.wall), law, pair, force, history, grain.radius);
     }
   }
 }
@@ -332,12 +337,12 @@ void Soft<D, Law, Full>::set_histories(const Grains<D>& grains, const Contacts<D
     for (auto k = pairs_.row_start[i]; k < pairs_.row_start[i + 1]; ++k) {
       const auto a = grains.id[i];
       const auto b = grains.id[pairs_.partner[k]];
-      pairs_.history[k] = b < a ? swapped(of(b, a)) : of(a, b);
+      pairs_.slip[k] = b < a ? swapped(of(b, a)) : of(a, b);
     }
     if (!wall_list_.any()) continue;
     for (auto k = wall_list_.row_start[i]; k < wall_list_.row_start[i + 1]; ++k) {
       auto& contact = wall_list_.pairs[k];
-      contact.slip = of(grains.id[i], plane_partner(contact.wall));
+      contact.slip = of(grains.id[i], wall_partner(contact.wall));
     }
   }
   account_for_start(grains);
@@ -357,8 +362,8 @@ void Soft<D, Law, Full>::add_elastic(Energy& account, const Grains<D>& grains) c
   }
 }
 
-/// Kicks belong to half steps: there the kinetic energy is known, and what has been dissipated. So the energies of
-/// position are taken there too: places half a step back, displacements of histories half a step on.
+/// Kicks end at half steps, where the kinetic and the dissipated energy are known. So the potential energies are
+/// computed there too: with positions half a step back and slip displacements half a step advanced.
 template <int D, class Law, bool Full>
 Energy Soft<D, Law, Full>::energy(const Grains<D>& grains) const {
   Energy account = energy_;

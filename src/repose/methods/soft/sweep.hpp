@@ -13,14 +13,15 @@
 
 /// The step of the soft method over one member's grains.
 ///
-/// Grains are taken in memory order. Every pair (i, j) has j > i, so when the sweep comes to grain i all its pairs with
-/// earlier grains are done and their forces wait in its slot of the ring; its own pairs follow, and then nothing else
-/// needs its old state: it is kicked and drifts at once, in place. Forces that cross to another member's range (or lie
-/// too far apart in memory for the ring) come from the edge pairs, computed beforehand. The sum on each grain is taken
-/// in one order, ascending by partner, whatever the number of members: the results are the same to the bit.
+/// The sweep visits grains in memory order. Every pair (i, j) has j > i. So when the sweep reaches grain i, its pairs
+/// with earlier grains are done, and their forces are in its slot of the ring. The sweep then computes the other pairs
+/// of i. After that nothing needs the old state of i, so it is kicked and drifts immediately, in place. Forces on
+/// another member's grains (or too far apart in memory for the ring) come from the edge pairs, which are computed
+/// before the sweep. The forces on each grain are always summed in ascending order of the partner, so the results are
+/// the same to the bit for any number of members.
 namespace repose::soft {
 
-/// What one sweep works on.
+/// The input of one sweep.
 template <int D, class Law>
 struct SweepInput {
   const MaterialTable<Law>& laws;
@@ -28,27 +29,27 @@ struct SweepInput {
   PairList<D>& pairs;
   WallList<D>& walls;
   std::vector<GrainWork>& work;               ///< per grain; empty unless the energy is audited
-  const std::vector<LoadedGrain<D>>& loaded;  ///< ascending
-  std::vector<double>& load_work;             ///< [M L^2/T^2] per load
-  double kick;                                ///< [T] half a step at the start of time, else a step
+  const std::vector<LoadedGrain<D>>& loaded;  ///< ascending by i
+  std::vector<double>& load_work;             ///< [M L^2/T^2] work of each load
+  double kick;                                ///< [T] half a step in the first step, then a step
   long step;                                  ///< number of this step
-  double speed_limit2;                        ///< [L^2/T^2] beyond this a grain cannot be followed
+  double speed_limit2;                        ///< [L^2/T^2] squared speed above which a grain cannot be followed
 };
 
 template <bool Periodic, bool Full, int D, class Law>
-void push_edges(const SweepInput<D, Law>& in, const Grains<D>& grains, Share<D, Full>& share) {
+void push_edges(const SweepInput<D, Law>& in, const Grains<D>& grains, Workspace<D, Full>& mine) {
   Tangent<D> no_roll{};
-  for (std::size_t e = 0; e < share.edges.size(); ++e) {
-    const auto [i, k] = share.edges[e];
+  for (std::size_t e = 0; e < mine.edges.size(); ++e) {
+    const auto [i, k] = mine.edges[e];
     const auto j = in.pairs.partner[k];
-    share.edge_push[e] = {};
+    mine.edge_push[e] = {};
     pair_force<Periodic>(in.laws.of(grains.material[i], grains.material[j]), grains.line[i], grains.line[j],
-                         in.settings.box, in.settings.time_step, in.pairs.history[k], Full ? in.pairs.roll[k] : no_roll,
-                         share.edge_push[e]);
+                         in.settings.box, in.settings.time_step, in.pairs.slip[k], Full ? in.pairs.roll[k] : no_roll,
+                         mine.edge_push[e]);
   }
 }
 
-/// Change of velocity and rim velocity by a total push.
+/// The change of velocity and rim velocity by a total push.
 template <int D, bool Full, class Law>
 REPOSE_FN HalfStep<D> kick_of(const SweepInput<D, Law>& in, const Grain<D>& grain, const Slot<D, Full>& sum) {
   const double per_mass = in.kick * grain.inverse_mass;
@@ -77,8 +78,7 @@ REPOSE_FN void kick_and_drift(const SweepInput<D, Law>& in, Grains<D>& grains, s
   }
 }
 
-/// Mean velocities of a grain over the kick that it has just had: times the force, the exact change of its kinetic
-/// energy.
+/// The mean velocities of a grain over its last kick. Times the force they are the exact change of its kinetic energy.
 template <bool Synchronised, bool Full, int D, class Law>
 HalfStep<D> mean_over_kick(const SweepInput<D, Law>& in, const Grains<D>& grains, std::size_t i,
                            const Slot<D, Full>& sum) {
@@ -92,17 +92,17 @@ HalfStep<D> mean_over_kick(const SweepInput<D, Law>& in, const Grains<D>& grains
   }
 }
 
-/// What the walls do to a grain.
+/// The push of the walls on a grain.
 template <int D, bool Full>
 struct WallPush {
   Push<D, Full> all;
-  Vec<D> dissipative{};  ///< part of the force, by dashpot and friction; in a full kernel
+  Vec<D> dissipative{};  ///< [M L/T^2] part of the force by dashpot and friction; in a full kernel only
 };
 
-/// Books what dissipative forces have done to grain i, which went at `mean` velocity meanwhile.
+/// Adds the work of dissipative forces on a grain that moved with the `mean` velocity.
 template <int D>
-void book(GrainWork& work, const Slot<D, true>& sum, const WallPush<D, true>& at_walls, const HalfStep<D>& mean,
-          double kick) {
+void add_work(GrainWork& work, const Slot<D, true>& sum, const WallPush<D, true>& at_walls, const HalfStep<D>& mean,
+              double kick) {
   const auto power = [&](const Vec<D>& force) { return dot(force, mean.velocity); };
   const auto turning = [&](const Spin<D>& rim_torque) { return inner(rim_torque, mean.rim_velocity); };
   work.damping -= power(sum.damping) * kick;
@@ -110,10 +110,10 @@ void book(GrainWork& work, const Slot<D, true>& sum, const WallPush<D, true>& at
   work.walls -= (power(at_walls.dissipative) + turning(at_walls.all.rim_torque)) * kick;
 }
 
-/// Forces of the walls on grain i, kept with each pair.
+/// The push of the walls on grain i. The force of each wall is also stored with its pair.
 template <bool Full, int D, class Law>
 WallPush<D, Full> push_of_walls(const SweepInput<D, Law>& in, const Grains<D>& grains, std::size_t i,
-                                const Share<D, Full>& mine) {
+                                const Workspace<D, Full>& mine) {
   WallPush<D, Full> sum;
   const auto& grain = grains.line[i];
   const double dt = in.settings.time_step;
@@ -134,7 +134,7 @@ WallPush<D, Full> push_of_walls(const SweepInput<D, Law>& in, const Grains<D>& g
     contact.slip = history.slip;
     contact.roll = history.roll;
     Push<D, Full> push;
-    set_push(pair, force, grain.radius, grain.radius, push);
+    to_push(pair, force, grain.radius, grain.radius, push);
     contact.force = push.force;
     contact.impulse += push.force * dt;
     sum.all.force += push.force;
@@ -147,19 +147,20 @@ WallPush<D, Full> push_of_walls(const SweepInput<D, Law>& in, const Grains<D>& g
   return sum;
 }
 
-/// Moves a grain and books what has been done to it.
+/// Moves a grain and adds the work done on it.
 template <bool Synchronised, bool Full, int D, class Law>
 REPOSE_FN void finish_row(const SweepInput<D, Law>& in, Grains<D>& grains, std::size_t i, const Slot<D, Full>& sum,
                           const WallPush<D, Full>& at_walls) {
   kick_and_drift<Synchronised>(in, grains, i, sum);
   if constexpr (Full) {
-    if (!in.work.empty()) book(in.work[i], sum, at_walls, mean_over_kick<Synchronised>(in, grains, i, sum), in.kick);
+    if (!in.work.empty())
+      add_work(in.work[i], sum, at_walls, mean_over_kick<Synchronised>(in, grains, i, sum), in.kick);
   }
 }
 
-/// The end of a row that is not like most: its grain is fixed, near a wall or loaded.
+/// Finishes the row of a grain that is fixed, near a wall or loaded.
 template <bool Synchronised, bool Full, int D, class Law>
-void finish_special_row(const SweepInput<D, Law>& in, Grains<D>& grains, std::size_t i, const Share<D, Full>& mine,
+void finish_special_row(const SweepInput<D, Law>& in, Grains<D>& grains, std::size_t i, const Workspace<D, Full>& mine,
                         const Slot<D, Full>& of_pairs) {
   if (grains.line[i].fixed()) {
     grains.reaction[i] += of_pairs.force * in.settings.time_step;
@@ -182,9 +183,9 @@ void finish_special_row(const SweepInput<D, Law>& in, Grains<D>& grains, std::si
   for (auto done = first_load; done != load; ++done) in.load_work[done->load] += dot(done->force, velocity) * in.kick;
 }
 
-/// Moves the walls under the push of the grains in this step. Every member does it for itself, after all have swept.
+/// Moves the walls under the push of the grains in this step. Every member does it for itself, after all sweeps.
 template <bool Full, int D, class Law>
-void move_walls(const SweepInput<D, Law>& in, Share<D, Full>& mine) {
+void move_walls(const SweepInput<D, Law>& in, Workspace<D, Full>& mine) {
   const double dt = in.settings.time_step;
   for (std::size_t w = 0; w < in.settings.walls.size(); ++w) {
     const auto& wall = in.settings.walls[w];
@@ -199,23 +200,23 @@ void move_walls(const SweepInput<D, Law>& in, Share<D, Full>& mine) {
       }
       const double before = state.speed;
       move_wall(wall.motion, state, static_cast<double>(in.step) * dt, in.kick, dt, -force);
-      const Vec<D> way = wall.motion.direction * (0.5 * (before + state.speed) * in.kick);
-      state.work += dot(force, way);
-      state.dissipated += dot(dissipative, way);
+      const Vec<D> displacement = wall.motion.direction * (0.5 * (before + state.speed) * in.kick);
+      state.work += dot(force, displacement);
+      state.dissipated += dot(dissipative, displacement);
     }
     mine.walls_now[w] = wall_now(wall, state, static_cast<double>(in.step + 1) * dt);
   }
 }
 
 template <bool Periodic, bool Synchronised, bool OneMaterial, bool Full, int D, class Law>
-void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Share<D, Full>>& shares,
-                Share<D, Full>& mine) {
+void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Workspace<D, Full>>& workspaces,
+                Workspace<D, Full>& mine) {
   const Law law = in.laws.first();
   const Box<D> box = in.settings.box;
   const double dt = in.settings.time_step;
   const std::uint32_t* const row_start = in.pairs.row_start.data();
   const std::uint32_t* const partner = in.pairs.partner.data();
-  Tangent<D>* const history = in.pairs.history.data();
+  Tangent<D>* const history = in.pairs.slip.data();
   [[maybe_unused]] Tangent<D>* const roll = in.pairs.roll.data();
   Grain<D>* const line = grains.line.data();
   Slot<D, Full>* const ring = mine.ring.data();
@@ -224,7 +225,7 @@ void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Sha
   auto arrival = mine.arrivals.begin();
   const auto receive_up_to = [&](std::size_t last) {
     for (; arrival != mine.arrivals.end() && arrival->j <= last; ++arrival) {
-      ring[arrival->j & mask].add_back(shares[arrival->member].edge_push[arrival->edge]);
+      ring[arrival->j & mask].add_back(workspaces[arrival->member].edge_push[arrival->edge]);
     }
   };
   if (mine.rows.begin < mine.rows.end) receive_up_to(mine.rows.begin + mask);
@@ -235,7 +236,7 @@ void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Sha
   bool trouble = false;
   const auto watch = [&](const Grain<D>& grain) {
     const double speed2 = dot(grain.velocity, grain.velocity);
-    trouble |= !(speed2 < in.speed_limit2);  // also true for what is not a number
+    trouble |= !(speed2 < in.speed_limit2);  // also true for NaN
     fastest2 = std::max(fastest2, speed2);
   };
   std::size_t edge = 0;
@@ -269,8 +270,8 @@ void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Sha
     }
     receive_up_to(row + 1 + mask);
   }
-  // Nothing needs the old state of a row once the sweep is past it, so that these can wait: a call within the loop
-  // would cost all rows their registers.
+  // Nothing needs the old state of a row after the sweep has passed it, so these rows can be finished last. A call in
+  // the loop would slow all rows down, because it would spill their registers.
   for (std::size_t s = 0; s + 1 < mine.special.size(); ++s) {
     finish_special_row<Synchronised>(in, grains, mine.special[s], mine, mine.special_sum[s]);
     watch(line[mine.special[s]]);
@@ -279,21 +280,21 @@ void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Sha
   mine.trouble = trouble;
 }
 
-/// One step of one member over its grains; the walls have yet to be moved.
+/// One step of one member over its grains. The walls are moved later.
 template <int D, class Law, bool Full>
-void sweep(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Share<D, Full>>& shares, Team& team,
+void sweep(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Workspace<D, Full>>& workspaces, Team& team,
            int member) {
-  auto& mine = shares[static_cast<std::size_t>(member)];
+  auto& mine = workspaces[static_cast<std::size_t>(member)];
   const auto with_flag = [](bool flag, const auto& use) { flag ? use(std::true_type{}) : use(std::false_type{}); };
   with_flag(in.settings.box.periodic, [&](auto periodic) {
     push_edges<periodic>(in, grains, mine);
     team.wait();
     with_flag(in.settings.synchronised, [&](auto synchronised) {
       if constexpr (Full) {
-        sweep_rows<periodic, synchronised, false>(in, grains, shares, mine);
+        sweep_rows<periodic, synchronised, false>(in, grains, workspaces, mine);
       } else {
         with_flag(in.laws.single(), [&](auto one_material) {
-          sweep_rows<periodic, synchronised, one_material>(in, grains, shares, mine);
+          sweep_rows<periodic, synchronised, one_material>(in, grains, workspaces, mine);
         });
       }
     });

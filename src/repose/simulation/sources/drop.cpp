@@ -11,28 +11,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace repose {
 
-Drop::Drop(const Scene& scene, const DropSource& source, double time_step, std::int64_t first_id)
+Drop::Drop(const Scene& scene, const DropSource& source, const TimeSteps& steps, std::int64_t first_id)
     : scene_(scene),
       source_(source),
-      time_step_(time_step),
+      steps_(steps),
       first_id_(first_id),
       draw_(scene, Purpose::grain_species, Purpose::grain_size) {
   if (!scene_.method->traits().force_laws) return;
   for (const auto& laws : scene_.material_laws().table) reach_ = std::max(reach_, reach(AnyNormal{laws.normal}));
 }
 
-long Drop::next_step() const {
-  const auto step = std::max(static_cast<long>(std::ceil(std::min(due() / time_step_, 1e15))), retry_);
-  return (step + every() - 1) / every() * every();
+double Drop::due() const {
+  if (done()) return std::numeric_limits<double>::infinity();
+  return moment(std::max(steps_.at_or_after(planned()), retry_));
 }
 
-double Drop::waiting(long step) const {
-  return std::max(0.0,
-                  static_cast<double>(step) * time_step_ - std::max(due(), static_cast<double>(last_) * time_step_));
-}
+double Drop::waiting(double time) const { return std::max(0.0, time - std::max(planned(), last_)); }
 
 std::string Drop::buried() const {
   return fmt::format("the source is buried: grain {} of {} finds no room at height {}{}", released_ + 1, count(),
@@ -41,24 +39,24 @@ std::string Drop::buried() const {
 
 void Drop::exchange(Archive& archive) {
   archive.value("source/released", released_);
-  archive.value("source/retry", retry_);
-  archive.value("source/last", last_);
+  archive.value("source/retry_time", retry_);
+  archive.value("source/last_time", last_);
   archive.value("source/tries", tries_);
 }
 
-bool Drop::release(Grains<2>& grains, long step, const std::function<double()>& apex) {
+bool Drop::release(Grains<2>& grains, double time, const std::function<double()>& apex) {
   const auto seed = static_cast<std::uint64_t>(scene_.seed);
   const double height = source_.height + (source_.above_apex() ? apex() : 0.0);
   const auto box = make_box(scene_);
   Room room(grains, box, height, 0.5 * scene_.largest_drawn(), reach_);
   constexpr std::uint32_t tries_at_once = 64;
   const auto before = released_;
-  while (!done() && next_step() <= step) {
+  while (due() <= time) {
     const auto index = static_cast<std::uint64_t>(released_);
     auto [grain, material] = draw_(index);
     grain.velocity = {{source_.velocity[0], source_.velocity[1]}};
-    // Now; the velocity belongs to half a step ago, except at the start of time, where the first kick is half.
-    if (step > 0) grain.velocity[1] += 0.5 * scene_.gravity * time_step_;
+    // The velocity of the scene is that of the place; the method's own may be that of a little earlier.
+    if (const double lag = steps_.velocity_lag(time); lag > 0.0) grain.velocity[1] += scene_.gravity * lag;
     grain.position[1] = height;
     bool found = false;
     for (std::uint32_t n = 0; n < tries_at_once && !found; ++n) {
@@ -68,21 +66,21 @@ bool Drop::release(Grains<2>& grains, long step, const std::function<double()>& 
     }
     if (!found) {
       const double wait = 0.02 * std::sqrt(scene_.grains.diameter / scene_.gravity);
-      retry_ = step + std::max(1L, static_cast<long>(wait / time_step_));
+      retry_ = steps_.later(time, steps_.cut(wait));
       break;
     }
     grains.add(grain, first_id_ + released_, false, material);
     room.add(grain);
     ++released_;
-    last_ = step;
+    last_ = time;
     tries_ = 0;
-    retry_ = 0;
+    retry_ = 0.0;
   }
   return released_ > before;
 }
 
-std::unique_ptr<Source> PourSource::start(const Scene& scene, double time_step, std::int64_t first_id) const {
-  return std::make_unique<Pour>(scene, *this, time_step, first_id);
+std::unique_ptr<Source> PourSource::start(const Scene& scene, const TimeSteps& steps, std::int64_t first_id) const {
+  return std::make_unique<Pour>(scene, *this, steps, first_id);
 }
 
 }  // namespace repose

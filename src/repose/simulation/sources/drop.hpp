@@ -12,34 +12,35 @@ namespace repose {
 /// place is taken tries others, and waits where there is none; the later ones wait behind it.
 class Drop : public Source {
  public:
-  Drop(const Scene& scene, const DropSource& source, double time_step, std::int64_t first_id);
+  Drop(const Scene& scene, const DropSource& source, const TimeSteps& steps, std::int64_t first_id);
 
   bool done() const override { return released_ == source_.count; }
   std::int64_t released() const override { return released_; }
   std::int64_t count() const override { return source_.count; }
-  long next_step() const override;
-  bool release(Grains<2>& grains, long step, const std::function<double()>& apex) override;
-  double waiting(long step) const override;
+  double due() const override;
+  bool release(Grains<2>& grains, double time, const std::function<double()>& apex) override;
+  double waiting(double time) const override;
   std::string buried() const override;
   void exchange(Archive& archive) override;
 
  protected:
-  /// Steps between the moments at which grains are let go; 1: each at its own.
-  virtual long every() const { return 1; }
+  /// The first moment of release at a time [T] or after it.
+  virtual double moment(double time) const { return time; }
 
   const Scene& scene_;
   const DropSource& source_;
-  double time_step_;
+  TimeSteps steps_;
 
  private:
-  double due() const { return static_cast<double>(released_) / source_.rate; }
+  /// When the next grain is due by the rate alone [T].
+  double planned() const { return static_cast<double>(released_) / source_.rate; }
 
   std::int64_t first_id_;
   GrainDraw draw_;
   double reach_ = 1.0;  // two grains act on each other within this times the sum of their radii
   std::int64_t released_ = 0;
-  long retry_ = 0;           // step of the next try while waiting for room
-  long last_ = 0;            // step of the last release
+  double retry_ = 0.0;       // [T] of the next try while waiting for room
+  double last_ = 0.0;        // [T] of the last release
   std::uint32_t tries_ = 0;  // tries so far for the grain that is due
 };
 

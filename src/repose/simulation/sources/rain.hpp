@@ -6,16 +6,16 @@
 
 namespace repose {
 
-/// Rains grains over a width. Where many fall per time they are let go together, at moments a small part of a grain's
-/// own time apart, so that the neighbours of all grains are not looked up for each.
+/// Rains grains over a width. Grains that fall soon after each other are released together, at moments a small part of
+/// a grain's own time apart, so that the neighbours of all grains are not looked up for each.
 class Rain final : public Drop {
  public:
-  Rain(const Scene& scene, const DropSource& source, double time_step, std::int64_t first_id);
+  Rain(const Scene& scene, const DropSource& source, const TimeSteps& steps, std::int64_t first_id);
 
  private:
-  long every() const override { return every_; }
+  double moment(double time) const override { return moments_.at_or_after(time); }
 
-  long every_;
+  Every moments_;
 };
 
 }  // namespace repose

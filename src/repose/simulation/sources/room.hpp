@@ -10,8 +10,8 @@
 
 namespace repose {
 
-/// Says where along a line of one height there is room for another grain. One pass over all grains finds those near
-/// the line; whoever asks then meets neighbours only.
+/// Tells where along a line of one height there is room for another grain. One pass over all grains finds those near
+/// the line; each question then concerns neighbours only.
 class Room {
  public:
   /// For grains of up to `largest` radius [L] at `height` [L]; two grains keep `reach` times the sum of their radii.

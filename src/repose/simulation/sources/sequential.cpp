@@ -2,25 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/simulation/sources/sequential.hpp"
 
+#include "repose/core/errors.hpp"
 #include "repose/scene/geometry.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace repose {
 
-Sequential::Sequential(const Scene& scene, const SequentialSource& source, double time_step, std::int64_t first_id)
+Sequential::Sequential(const Scene& scene, const SequentialSource& source, const TimeSteps& steps,
+                       std::int64_t first_id)
     : scene_(scene),
       source_(source),
-      time_step_(time_step),
+      steps_(steps),
       first_id_(first_id),
       draw_(scene, Purpose::grain_species, Purpose::grain_size),
-      walls_(make_walls(scene)) {}
+      walls_(make_walls(scene)) {
+  REPOSE_ASSERT(steps.equal());
+}
 
 bool Sequential::at_rest(const Grains<2>& grains) const {
-  const double slow = source_.rest * scene_.gravity * time_step_;
+  const double slow = source_.rest * scene_.gravity * steps_.length;
   return std::all_of(grains.line.begin(), grains.line.end(), [&](const auto& grain) {
     return grain.fixed() || (magnitude(grain.velocity) < slow && std::fabs(grain.rim_velocity) < slow);
   });
@@ -45,9 +50,11 @@ double Sequential::first_touch(const Grains<2>& grains, double x, double radius)
   return height;
 }
 
-bool Sequential::release(Grains<2>& grains, long step, const std::function<double()>&) {
+double Sequential::due() const { return done() ? std::numeric_limits<double>::infinity() : next_; }
+
+bool Sequential::release(Grains<2>& grains, double time, const std::function<double()>&) {
   constexpr long quiet_steps = 3;
-  next_ = step + 1;
+  next_ = steps_.later(time, steps_.length);
   if (released_ > 0) {
     quiet_ = at_rest(grains) ? quiet_ + 1 : 0;
     if (quiet_ < quiet_steps) return false;
@@ -61,7 +68,7 @@ bool Sequential::release(Grains<2>& grains, long step, const std::function<doubl
   grain.velocity = {{0.0, limit ? -*limit : 0.0}};
   grains.add(grain, first_id_ + released_, false, material);
   ++released_;
-  last_ = step;
+  last_ = time;
   quiet_ = 0;
   return true;
 }
@@ -75,13 +82,14 @@ std::string Sequential::buried() const {
 
 void Sequential::exchange(Archive& archive) {
   archive.value("source/released", released_);
-  archive.value("source/next", next_);
-  archive.value("source/last", last_);
+  archive.value("source/next_time", next_);
+  archive.value("source/last_time", last_);
   archive.value("source/quiet", quiet_);
 }
 
-std::unique_ptr<Source> SequentialSource::start(const Scene& scene, double time_step, std::int64_t first_id) const {
-  return std::make_unique<Sequential>(scene, *this, time_step, first_id);
+std::unique_ptr<Source> SequentialSource::start(const Scene& scene, const TimeSteps& steps,
+                                                std::int64_t first_id) const {
+  return std::make_unique<Sequential>(scene, *this, steps, first_id);
 }
 
 }  // namespace repose

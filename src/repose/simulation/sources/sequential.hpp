@@ -11,20 +11,20 @@
 
 namespace repose {
 
-/// Lays grains down one by one: each appears a little above where it first touches something on its way down, at a
-/// random place, with the velocity that a grain which has fallen long has under the limit of speed; the next once all
-/// have been at rest for three steps. Source: Bratberg (2003), paper one.
+/// Lays grains down one by one: each appears at a random place, a little above where it first touches something as it
+/// falls, with the velocity of a grain that has fallen for long under the limit of speed. The next one follows once all
+/// have been at rest for three steps, which are equal. Source: Bratberg (2003), paper one.
 class Sequential final : public Source {
  public:
-  Sequential(const Scene& scene, const SequentialSource& source, double time_step, std::int64_t first_id);
+  Sequential(const Scene& scene, const SequentialSource& source, const TimeSteps& steps, std::int64_t first_id);
 
   bool done() const override { return released_ == source_.count; }
   std::int64_t released() const override { return released_; }
   std::int64_t count() const override { return source_.count; }
-  /// Whether all rest is looked at after every step.
-  long next_step() const override { return next_; }
-  bool release(Grains<2>& grains, long step, const std::function<double()>& apex) override;
-  double waiting(long step) const override { return static_cast<double>(step - last_) * time_step_; }
+  /// Rest is checked after every step.
+  double due() const override;
+  bool release(Grains<2>& grains, double time, const std::function<double()>& apex) override;
+  double waiting(double time) const override { return time - last_; }
   double patience() const override { return 1e3; }
   std::string buried() const override;
   void exchange(Archive& archive) override;
@@ -35,14 +35,14 @@ class Sequential final : public Source {
 
   const Scene& scene_;
   const SequentialSource& source_;
-  double time_step_;
+  TimeSteps steps_;
   std::int64_t first_id_;
   GrainDraw draw_;
   std::vector<Wall<2>> walls_;
   std::int64_t released_ = 0;
-  long next_ = 0;   // step of the next look
-  long last_ = 0;   // step of the last release
-  long quiet_ = 0;  // steps at rest in a row
+  double next_ = 0.0;  // [T] of the next check
+  double last_ = 0.0;  // [T] of the last release
+  long quiet_ = 0;     // checks in a row that found all at rest
 };
 
 }  // namespace repose

@@ -2,19 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/simulation/sources/source.hpp"
 
+#include <limits>
+
 namespace repose {
 
 namespace {
 
-/// All grains are there at the start.
+/// All grains exist at the start.
 class Nothing final : public Source {
  public:
   bool done() const override { return true; }
   std::int64_t released() const override { return 0; }
   std::int64_t count() const override { return 0; }
-  long next_step() const override { return 0; }
-  bool release(Grains<2>&, long, const std::function<double()>&) override { return false; }
-  double waiting(long) const override { return 0.0; }
+  double due() const override { return std::numeric_limits<double>::infinity(); }
+  bool release(Grains<2>&, double, const std::function<double()>&) override { return false; }
+  double waiting(double) const override { return 0.0; }
   std::string buried() const override { return {}; }
   void exchange(Archive&) override {}
 };
@@ -23,12 +25,12 @@ class Nothing final : public Source {
 
 void SourceKind::add_grains(const Scene&, Grains<2>&, std::int64_t&) const {}
 
-std::unique_ptr<Source> SourceKind::start(const Scene&, double, std::int64_t) const {
+std::unique_ptr<Source> SourceKind::start(const Scene&, const TimeSteps&, std::int64_t) const {
   return std::make_unique<Nothing>();
 }
 
-std::unique_ptr<Source> make_source(const Scene& scene, double time_step, std::int64_t first_id) {
-  return scene.source->start(scene, time_step, first_id);
+std::unique_ptr<Source> make_source(const Scene& scene, const TimeSteps& steps, std::int64_t first_id) {
+  return scene.source->start(scene, steps, first_id);
 }
 
 }  // namespace repose

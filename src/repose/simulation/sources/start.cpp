@@ -39,7 +39,7 @@ Contacts<2> contacts_at_start(const Scene& scene) {
       if (number >= state.walls.size()) continue;
       const auto found = std::find(names.begin(), names.end(), state.walls[number]);
       if (found == names.end()) continue;
-      contact.second = plane_partner(found - names.begin());
+      contact.second = wall_partner(found - names.begin());
     }
     kept.list.push_back(contact);
   }

@@ -1,0 +1,95 @@
+# SPDX-FileCopyrightText: 2026 The Repose developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The part of the plane that a picture of grains shows: the heap and the base below it."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from repose.errors import NotDrawn
+
+# grain diameters
+WIDEST_GAP = 10.0  # in x; a grain beyond a wider gap has left the heap
+SIDE_MARGIN = 3.0
+MARGIN = 1.0
+LEAST_HEIGHT = 5.0
+
+WIDEST_SHAPE = 12.0  # width over height, at most
+
+
+@dataclass(frozen=True)
+class Box:
+    """x_min <= x <= x_max, y_min <= y <= y_max [L]."""
+
+    x_min: float
+    x_max: float
+    y_min: float
+    y_max: float
+
+    def near(self, points, reach):
+        """Points (..., 2) that lie inside the box or within `reach` [L] of it; bool (...)."""
+        x, y = points[..., 0], points[..., 1]
+        return (
+            (x >= self.x_min - reach)
+            & (x <= self.x_max + reach)
+            & (y >= self.y_min - reach)
+            & (y <= self.y_max + reach)
+        )
+
+
+def supported(state):
+    """Moving grains (N, bool) that a chain of contacts links to the base or a wall; without those, all in contact."""
+    held = state.grains.held
+    first, second = state.contacts.grains.T
+    with_wall = second < 0
+    pair = state.rows(state.contacts.grains[~with_wall])
+    linked = held.copy()
+    linked[state.rows(first[with_wall])] = True
+    if not linked.any():
+        linked[pair] = True
+    count = -1
+    while count != np.count_nonzero(linked):
+        count = np.count_nonzero(linked)
+        linked[pair[linked[pair].any(axis=1)]] = True
+    return linked & ~held
+
+
+def wrapped(run, positions):
+    """Positions (N, 2) [L] with x brought into the box where it is periodic."""
+    if not run.attributes["periodic"]:
+        return positions
+    low, high = run.attributes["x_min"], run.attributes["x_max"]
+    return np.column_stack([low + (positions[:, 0] - low) % (high - low), positions[:, 1]])
+
+
+def visible_box(run, state):
+    """Box around the heap and the base below it; grains in flight do not count while any are supported."""
+    grains = state.grains
+    diameter = run.attributes["grain_diameter"]
+    centre, radius = wrapped(run, grains.position), grains.radius
+    finite = np.isfinite(centre).all(axis=1)  # a failed run may have lost its grains to infinity
+    for shown in (supported(state) & finite, ~grains.held & finite, finite):
+        if shown.any():
+            break
+    else:
+        raise NotDrawn("no grains")
+    shown = np.flatnonzero(shown)
+    if run.attributes["periodic"]:
+        x_min, x_max = run.attributes["x_min"], run.attributes["x_max"]
+    else:
+        shown = _largest_group(shown, centre[:, 0], WIDEST_GAP * diameter)
+        x_min = (centre[shown, 0] - radius[shown]).min() - SIDE_MARGIN * diameter
+        x_max = (centre[shown, 0] + radius[shown]).max() + SIDE_MARGIN * diameter
+    below = grains.held & (centre[:, 0] >= x_min) & (centre[:, 0] <= x_max)
+    below[shown] = True
+    y_min = (centre[below, 1] - radius[below]).min() - MARGIN * diameter
+    y_max = (centre[shown, 1] + radius[shown]).max() + MARGIN * diameter
+    y_max = max(y_max, y_min + LEAST_HEIGHT * diameter, y_min + (x_max - x_min) / WIDEST_SHAPE)
+    return Box(x_min, x_max, y_min, y_max)
+
+
+def _largest_group(rows, x, gap):
+    """The largest subset of `rows` whose neighbours in x lie within `gap` of each other."""
+    ordered = rows[np.argsort(x[rows])]
+    groups = np.split(ordered, np.flatnonzero(np.diff(x[ordered]) > gap) + 1)
+    return max(groups, key=len)

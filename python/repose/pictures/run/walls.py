@@ -1,0 +1,47 @@
+# SPDX-FileCopyrightText: 2026 The Repose developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Force of the grains on each wall, and displacements of the walls that move."""
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from repose import style
+from repose.errors import NotDrawn
+
+MOST = len(style.SERIES)  # walls, one for each colour
+
+
+def draw(run, state):
+    """Figure of the time series of the whole run, of the walls that moved and those that carried the largest forces."""
+    if state.frame:
+        raise NotDrawn("it shows the whole run, not a frame")
+    force = run.series.get("wall_force_x")
+    if force is None or len(force) < 2:
+        raise NotDrawn("the run has no walls, or fewer than two rows in its time series")
+    force = np.stack([force, run.series["wall_force_y"]], axis=-1)  # (rows, walls, 2)
+    displacement = run.series["wall_displacement"]
+    moving = np.abs(displacement).max(axis=0) > 0.0
+    carried = np.abs(force).max(axis=(0, 2))
+    chosen = np.lexsort((-carried, ~moving))[:MOST]
+    if not moving.any() and not carried.any():
+        raise NotDrawn("no wall moved or carried a force")
+
+    units, time = style.units_of(run), run.series["time"]
+    weight = run.attributes["grain_weight"]
+    figure = Figure(figsize=(5.2, 3.6 if moving.any() else 2.4))
+    rows = figure.subplots(2 if moving.any() else 1, 1, sharex=True, squeeze=False)[:, 0]
+    for colour, wall in zip(style.SERIES, chosen):
+        # Positive: pressure on a fixed wall, resistance to the motion of a moving one.
+        along = run.walls["direction"][wall] if moving[wall] else run.walls["normal"][wall]
+        label = str(run.walls["name"][wall])
+        rows[0].plot(time, -force[:, wall] @ along / weight, color=colour, linewidth=0.8, label=label)
+        if moving[wall]:
+            rows[1].plot(time, displacement[:, wall], color=colour, linewidth=0.8)
+    rows[0].set_ylabel("force of the grains\n(grain weights)")
+    rows[0].legend(loc="lower left", bbox_to_anchor=(0.0, 1.02), ncols=min(4, len(chosen)))
+    if moving.any():
+        rows[1].set_ylabel(units.length("displacement"))
+    rows[-1].set_xlabel(units.time("t"))
+    figure.align_ylabels(rows)
+    style.fit(figure)
+    return figure

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/analysis/base_profile.hpp"
+#include "repose/core/archive.hpp"
+#include "repose/core/contacts.hpp"
+#include "repose/core/grains.hpp"
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+namespace repose {
+
+/// Forces on the fixed grains, as means over the last `window` of time [T] before the last row of the series.
+class BaseForces {
+ public:
+  /// `tolerance` [T] by which the start of the window may miss that of an interval.
+  BaseForces(const Grains<2>& grains, double window, double tolerance);
+
+  /// Takes the reactions that the fixed grains have gathered since the last call.
+  void record(Grains<2>& grains, double time);
+
+  /// The forces on the base, in grain weights.
+  BaseProfile profile(const Grains<2>& grains, double grain_weight) const;
+
+  /// Downward force [M L/T^2] on fixed grains, mean over the window, and on walls by these contacts.
+  double force_on_supports(const Contacts<2>& contacts) const;
+
+  void exchange(Archive& archive);
+
+ private:
+  /// Impulse on the fixed grains between two rows of the series.
+  struct Interval {
+    double start = 0.0;           // [T]
+    double end = 0.0;             // [T]
+    std::vector<Vec<2>> impulse;  // [M L/T] per fixed grain, by id order
+  };
+
+  std::size_t place_of(std::int64_t id) const;
+
+  double window_;
+  double tolerance_;
+  std::vector<std::int64_t> ids_;  // of the fixed grains, ascending
+  std::deque<Interval> intervals_;
+};
+
+}  // namespace repose

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/methods/time_steps.hpp"
+
+#include <functional>
+#include <utility>
+
+namespace repose {
+
+class Simulation;
+
+/// Observes a simulation whenever it is due. It changes nothing there, so that a run has the same bits with it and
+/// without.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+
+  /// The first time after `time` [T] at which it is due; infinity for never. A function of `time` alone, so that a
+  /// resumed run is observed at the same times.
+  virtual double due_after(double time) const = 0;
+
+  /// Whether it is due, too, with the row of the series that ends a run at a time [T] between two regular rows.
+  virtual bool due_at_end(double /*time*/) const { return false; }
+
+  virtual void observe(const Simulation& simulation) = 0;
+};
+
+/// Calls a function at regular times.
+class RegularObserver final : public Observer {
+ public:
+  using Use = std::function<void(const Simulation&)>;
+
+  RegularObserver(const Every& times, Use use) : times_(times), use_(std::move(use)) {}
+
+  double due_after(double time) const override { return times_.after(time); }
+  void observe(const Simulation& simulation) override { use_(simulation); }
+
+ private:
+  Every times_;
+  Use use_;
+};
+
+}  // namespace repose

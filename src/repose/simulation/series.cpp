@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/simulation/series.hpp"
+
+#include "repose/analysis/force_network.hpp"
+#include "repose/analysis/heap.hpp"
+#include "repose/simulation/simulation.hpp"
+
+#include <algorithm>
+
+namespace repose {
+
+namespace {
+
+/// The median speed of the marked grains that move; 0 where none is marked.
+double median_speed(const Grains<2>& grains, const std::vector<bool>& marked) {
+  std::vector<double> speeds;
+  for (std::size_t k = 0; k < grains.size(); ++k) {
+    if (marked[k] && !grains.line[k].fixed()) speeds.push_back(magnitude(grains.line[k].velocity));
+  }
+  if (speeds.empty()) return 0.0;
+  const auto middle = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() / 2);
+  std::nth_element(speeds.begin(), middle, speeds.end());
+  return *middle;
+}
+
+}  // namespace
+
+void Series::add_row(const Simulation& simulation, Method<2>& method) {
+  const auto& scene = simulation.scene();
+  const auto& grains = simulation.grains();
+  // Geometry alone holds deposited discs: there are no forces to measure while they are laid down.
+  const Contacts<2> none;
+  const auto& contacts = scene.method->traits().has_forces() ? simulation.contacts() : none;
+  SeriesRow row;
+  row.time = simulation.time();
+  row.grains = static_cast<std::int64_t>(simulation.moving());
+  const double threshold = scene.analysis.force_threshold * scene.grain_weight();
+  row.contacts = std::count_if(contacts.list.begin(), contacts.list.end(),
+                               [&](const auto& contact) { return contact.normal_force > threshold; });
+  row.kinetic_energy_per_grain = row.grains > 0 ? kinetic_energy(grains) / static_cast<double>(row.grains) : 0.0;
+  row.force_residual = force_residual(grains, contacts, Vec<2>{{0.0, -scene.gravity}});
+  row.max_overlap = max_overlap(contacts);
+  row.lost = simulation.lost();
+  add_walls(row.time, method);
+  if (scene.output.energy) row.energy = method.energy(grains);
+  if (scene.method->solver() != nullptr) {
+    row.solver = method.take_solver_account();
+    row.creep_rate = median_speed(grains, supported(grains, contacts));
+  }
+  rows_.push_back(row);
+}
+
+void Series::add_walls(double time, Method<2>& method) {
+  const auto impulses = method.take_wall_impulses();
+  const double duration = time - (rows_.empty() ? 0.0 : rows_.back().time);
+  for (std::size_t w = 0; w < impulses.size(); ++w) {
+    walls_.push_back({method.walls()[w].displacement, impulses[w] * (1.0 / duration)});
+  }
+}
+
+void Series::exchange(Archive& archive, std::size_t walls) {
+  archive.array("run/series", rows_);
+  archive.array("run/walls", walls_);
+  archive.check("run/walls", walls_.size() == rows_.size() * walls);
+}
+
+}  // namespace repose

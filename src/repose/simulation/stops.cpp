@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/simulation/stops.hpp"
+
+#include "repose/simulation/simulation.hpp"
+#include "repose/simulation/trouble.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace repose {
+
+namespace {
+
+bool at_rest(const Scene& scene, const SeriesRow& row) {
+  const double energy_unit = scene.grain_weight() * scene.grains.diameter;
+  return row.kinetic_energy_per_grain < *scene.stop.at_rest * energy_unit && row.force_residual < *scene.stop.at_rest;
+}
+
+}  // namespace
+
+std::optional<Stop> stop_after_row(const Simulation& simulation, const Source& source) {
+  const auto& scene = simulation.scene();
+  const auto& row = simulation.series().back();
+  if (row.max_overlap > largest_overlap) return Stop{Status::failed, describe_trouble(simulation)};
+  if (const auto* solver = scene.method->solver();
+      solver != nullptr && solver->stops() && row.solver.unconverged > 0) {
+    return Stop{Status::failed,
+                fmt::format("{} of {} steps to time {:.6g} did not converge: worst residual {:.3g} of gravity times "
+                            "time step, method.tolerance = {} (method.unconverged = \"error\")",
+                            row.solver.unconverged, row.solver.steps, row.time, row.solver.worst_residual,
+                            solver->tolerance)};
+  }
+  if (scene.stop.at_rest && source.done() && at_rest(scene, row)) {
+    return Stop{Status::finished,
+                fmt::format("at rest: kinetic energy per grain and force residual below stop.at_rest = {}",
+                            *scene.stop.at_rest)};
+  }
+  const double fall = std::sqrt(scene.grains.diameter / scene.gravity);
+  if (!source.done() && source.waiting(row.time) > source.patience() * fall) {
+    return Stop{Status::failed, source.buried()};
+  }
+  return std::nullopt;
+}
+
+}  // namespace repose

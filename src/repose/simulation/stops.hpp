@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/record/record.hpp"
+#include "repose/simulation/sources/source.hpp"
+
+#include <optional>
+#include <string>
+
+namespace repose {
+
+class Simulation;
+
+/// The end of a run and the reason for it.
+struct Stop {
+  Status status = Status::finished;
+  std::string message;
+};
+
+/// The stop that the last row of the series calls for, if any: trouble, or a scene's rest.
+std::optional<Stop> stop_after_row(const Simulation& simulation, const Source& source);
+
+}  // namespace repose

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/sweep/plan_reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace repose {
+
+void SweepReader::read_claims(SweepPlan& plan) {
+  const auto* list = list_of_tables("claim");
+  if (list == nullptr) return;
+  for (std::size_t k = 0; k < list->size(); ++k) {
+    const auto& table = *list->get(k)->as_table();
+    const auto prefix = fmt::format("claim[{}].", k);
+    check_keys(table, prefix, {"text", "source", "measure", "point", "difference", "spread", "above", "below"});
+    Claim claim;
+    claim.text = text(table, prefix, "text", true);
+    claim.source = text(table, prefix, "source", false);
+    claim.measure = text(table, prefix, "measure", true);
+    const auto point = text(table, prefix, "point", false);
+    const auto difference = names(table, prefix, "difference");
+    const auto spread = names(table, prefix, "spread");
+    const int kinds = (point.empty() ? 0 : 1) + (difference.empty() ? 0 : 1) + (spread.empty() ? 0 : 1);
+    if (kinds != 1) {
+      problem(table, fmt::format("{}point: give one of point, difference and spread", prefix));
+      continue;
+    }
+    if (!point.empty()) {
+      claim.points = {point};
+    } else if (!difference.empty()) {
+      claim.kind = Claim::Kind::difference;
+      claim.points = difference;
+      if (difference.size() != 2) problem(table, fmt::format("{}difference: must be a list of two names", prefix));
+    } else {
+      claim.kind = Claim::Kind::spread;
+      claim.points = spread;
+    }
+    const auto above = number(table, prefix, "above");
+    const auto below = number(table, prefix, "below");
+    claim.above = above.value_or(claim.above);
+    claim.below = below.value_or(claim.below);
+    if ((!above && !below) || claim.above >= claim.below) {
+      problem(table, fmt::format("{}above: give above, below or both, with above < below", prefix));
+    }
+    for (const auto& name : claim.points) {
+      const auto same = [&](const SweepPoint& other) { return other.name == name; };
+      if (std::any_of(plan.points.begin(), plan.points.end(), same)) continue;
+      std::vector<std::string> known;
+      for (const auto& other : plan.points) known.push_back(other.name);
+      problem(table, fmt::format("{}points: no point \"{}\"; there are {}", prefix, name, fmt::join(known, ", ")));
+    }
+    plan.claims.push_back(std::move(claim));
+  }
+}
+
+}  // namespace repose

@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/sweep/folder.hpp"
+
+#include "repose/core/errors.hpp"
+#include "repose/io/folders.hpp"
+#include "repose/io/hdf5_file.hpp"
+#include "repose/io/hdf5_reader.hpp"
+#include "repose/record/record_file.hpp"
+#include "repose/results/summary.hpp"
+#include "repose/run_folder/run_folder.hpp"
+#include "repose/scene/read.hpp"
+#include "repose/scene/write.hpp"
+#include "repose/sweep/response.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+namespace fs = std::filesystem;
+
+namespace repose {
+
+namespace {
+
+constexpr const char* own_files[] = {"sweep.toml", "table.csv",    "members.csv",   "claims.csv",
+                                     "sweep.h5",   "response.csv", "response.json", "summary.json"};
+constexpr const char* own_folders[] = {"scenes", "members", "pictures"};
+
+std::string content_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::vector<Member> members_of(const SweepPlan& plan) {
+  std::vector<Member> members;
+  for (std::size_t p = 0; p < plan.points.size(); ++p) {
+    for (const auto seed : plan.seeds) members.push_back({p, seed});
+  }
+  return members;
+}
+
+std::string folder_of(const std::string& path, const SweepPlan& plan, const Member& member) {
+  return fmt::format("{}/members/{}/seed-{}", path, plan.points[member.point].name, member.seed);
+}
+
+Scene scene_with_seed(const SweepPlan& plan, const Member& member) {
+  Scene scene = plan.points[member.point].scene;
+  scene.seed = member.seed;
+  return scene;
+}
+
+/// Names and values of all summaries side by side. Leaves out a name that is an object in another summary.
+std::vector<std::string> union_of(const std::vector<std::vector<std::pair<std::string, double>>>& all) {
+  std::vector<std::string> names;
+  for (const auto& values : all) {
+    for (const auto& [name, value] : values) {
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+  }
+  std::vector<std::string> kept;
+  for (const auto& name : names) {
+    const auto inside = [&](const std::string& other) { return other.starts_with(name + "."); };
+    if (std::none_of(names.begin(), names.end(), inside)) kept.push_back(name);
+  }
+  return kept;
+}
+
+}  // namespace
+
+bool SweepFolder::is_one(const std::string& path) {
+  std::error_code error;
+  return fs::exists(fs::path(path) / "sweep.toml", error);
+}
+
+std::vector<std::string> SweepFolder::problems(const std::string& path, const SweepPlan& plan, bool overwrite) {
+  auto found = folder_problems(path);
+  std::error_code error;
+  if (!found.empty() || !fs::exists(path, error) || fs::is_empty(path, error)) return found;
+  if (!is_one(path)) return {fmt::format("{}: folder is not empty and holds no sweep; choose another --out", path)};
+  if (overwrite) return {};
+  for (const auto& member : members_of(plan)) {
+    const fs::path scene = fs::path(folder_of(path, plan, member)) / "scene.toml";
+    if (!fs::exists(scene, error) || content_of(scene) == scene_text(scene_with_seed(plan, member))) continue;
+    found.push_back(
+        fmt::format("{}: was made from another scene than this sweep's; choose another --out, or --overwrite",
+                    scene.parent_path().string()));
+    if (found.size() == 5) break;  // more would only repeat this
+  }
+  return found;
+}
+
+SweepFolder::SweepFolder(std::string path) : path_(std::move(path)) {
+  if (!is_one(path_)) throw InputError(fmt::format("{}: holds no sweep: no sweep.toml", path_));
+  plan_ = read_sweep(path_ + "/sweep.toml");
+  members_ = members_of(plan_);
+}
+
+SweepFolder::SweepFolder(std::string path, const std::string& sweep_file, SweepPlan plan, bool overwrite)
+    : path_(std::move(path)), plan_(std::move(plan)), members_(members_of(plan_)) {
+  const auto files = self_contained(sweep_file);
+  std::error_code error;
+  if (overwrite && is_one(path_)) {
+    for (const auto* name : own_folders) fs::remove_all(fs::path(path_) / name, error);
+    for (const auto* name : own_files) fs::remove(fs::path(path_) / name, error);
+  }
+  fs::create_directories(fs::path(path_) / "scenes", error);
+  if (error) throw InputError(fmt::format("{}: cannot make the folder: {}", path_, error.message()));
+  try {
+    // The scenes come first: a folder with a sweep.toml must be readable.
+    for (auto file = files.rbegin(); file != files.rend(); ++file) {
+      write_text_file(path_ + "/" + file->name, file->text);
+    }
+  } catch (const RunError& failure) {
+    throw InputError(failure.what());
+  }
+}
+
+std::string SweepFolder::member_path(const Member& member) const { return folder_of(path_, plan_, member); }
+
+Scene SweepFolder::scene_of(const Member& member) const { return scene_with_seed(plan_, member); }
+
+std::string SweepFolder::status_of(const Member& member) const {
+  const auto path = fs::path(member_path(member)) / "summary.json";
+  std::error_code error;
+  if (!fs::exists(path, error)) return "";
+  return summary_status(content_of(path));
+}
+
+std::vector<std::pair<std::string, double>> SweepFolder::measures(const Member& member) const {
+  const auto path = member_path(member) + "/summary.json";
+  return measures_of(content_of(path), path);
+}
+
+SweepTable SweepFolder::table() const {
+  std::vector<MemberRow> rows;
+  std::vector<std::vector<std::pair<std::string, double>>> values(members_.size());
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    MemberRow row{members_[k].point, members_[k].seed, status_of(members_[k]), {}, {}};
+    if (row.status == "finished") {
+      values[k] = measures(members_[k]);
+      row.base = read_base(Hdf5Reader(member_path(members_[k]) + "/run.h5"));
+    }
+    rows.push_back(std::move(row));
+  }
+  const auto measures = union_of(values);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    rows[k].values.assign(measures.size(), std::numeric_limits<double>::quiet_NaN());
+    for (const auto& [name, value] : values[k]) {
+      const auto column = std::find(measures.begin(), measures.end(), name);
+      if (column != measures.end()) rows[k].values[static_cast<std::size_t>(column - measures.begin())] = value;
+    }
+  }
+  return make_table(plan_, measures, std::move(rows));
+}
+
+void SweepFolder::write(const SweepTable& table) const {
+  // The old summary compares theory with profiles that are about to change, and holds nothing else.
+  std::error_code error;
+  fs::remove(fs::path(path_) / "summary.json", error);
+  write_text_file(path_ + "/table.csv", table_csv(plan_, table));
+  write_text_file(path_ + "/members.csv", members_csv(plan_, table));
+  if (!plan_.claims.empty()) write_text_file(path_ + "/claims.csv", claims_csv(plan_, table));
+  write_sweep_file(path_ + "/sweep.h5", plan_, table);
+  const auto responses =
+      point_responses(plan_, table, [&](std::size_t member) { return read_last_state(member_path(members_[member])); });
+  if (responses.empty()) return;
+  write_text_file(path_ + "/response.csv", response_csv(responses));
+  write_text_file(path_ + "/response.json", response_json(responses));
+}
+
+std::size_t SweepFolder::analyse() const {
+  std::size_t count = 0;
+  for (const auto& member : members_) {
+    const auto status = status_of(member);
+    if (status.empty()) continue;
+    const auto folder = member_path(member);
+    const FolderLock lock(folder);
+    const auto record = read_record(folder);
+    write_results(folder, record, repose::analyse(record));
+    ++count;
+  }
+  write(table());
+  return count;
+}
+
+}  // namespace repose

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/sweep/plan.hpp"
+#include "repose/sweep/table.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace repose {
+
+/// One run of a sweep: a point with one of the seeds.
+struct Member {
+  std::size_t point = 0;
+  std::int64_t seed = 0;
+};
+
+/// The folder of a sweep: sweep.toml and its scenes, one run folder per member, the tables; see
+/// docs/reference/sweep.md.
+class SweepFolder {
+ public:
+  static bool is_one(const std::string& path);
+  /// The reasons why this sweep cannot be written into this folder, one line each. Changes nothing.
+  static std::vector<std::string> problems(const std::string& path, const SweepPlan& plan, bool overwrite);
+
+  /// Opens the folder of an earlier `repose sweep`. Throws InputError if `path` is no such folder.
+  explicit SweepFolder(std::string path);
+  /// Makes the folder, or continues the sweep in it; `overwrite` removes an older sweep first. Throws InputError.
+  SweepFolder(std::string path, const std::string& sweep_file, SweepPlan plan, bool overwrite);
+
+  const std::string& path() const { return path_; }
+  const SweepPlan& plan() const { return plan_; }
+  /// All members, seeds of the first point first.
+  const std::vector<Member>& members() const { return members_; }
+  std::string member_path(const Member& member) const;
+  Scene scene_of(const Member& member) const;
+  /// The status in the summary of a member; "" without a readable summary.
+  std::string status_of(const Member& member) const;
+
+  /// Names and values of the measures of a member that has finished.
+  std::vector<std::pair<std::string, double>> measures(const Member& member) const;
+
+  /// Reads the summaries and base profiles of all members that have finished.
+  SweepTable table() const;
+  /// Writes table.csv, members.csv, claims.csv and sweep.h5. Throws RunError.
+  void write(const SweepTable& table) const;
+  /// Analyses every member again and writes the tables. Returns the number of members.
+  std::size_t analyse() const;
+
+ private:
+  std::string path_;
+  SweepPlan plan_;
+  std::vector<Member> members_;
+};
+
+}  // namespace repose

@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/sweep/members.hpp"
+
+#include "repose/core/errors.hpp"
+#include "repose/io/whole_file.hpp"
+#include "repose/run_folder/run_folder.hpp"
+#include "repose/scene/write.hpp"
+#include "repose/simulation/expectation.hpp"
+#include "repose/simulation/simulation.hpp"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <thread>
+
+namespace repose {
+
+using Stage = MemberProgress::Stage;
+using Clock = std::chrono::steady_clock;
+
+struct Sweep::Shared {
+  std::atomic<double> fraction;
+  char message[1000];
+};
+
+namespace {
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Copies as much of a text as fits.
+void keep(char* place, std::size_t room, const std::string& text) {
+  std::strncpy(place, text.c_str(), room - 1);
+  place[room - 1] = '\0';
+}
+
+/// The folder and the simulation of a member: resumed from the last checkpoint of an interrupted run, or else new.
+std::unique_ptr<RunFolder> member_run(const std::string& path, const Scene& scene,
+                                      std::unique_ptr<Simulation>& simulation) {
+  std::filesystem::create_directories(path);
+  constexpr double patience = 5.0;  // [s] a member of a killed sweep may still hold the lock
+  auto lock = std::make_unique<FolderLock>(path, patience);
+  simulation = std::make_unique<Simulation>(scene, 1);
+  std::vector<std::string> damaged;
+  if (const auto checkpoint = Checkpoint::latest(path, damaged);
+      checkpoint && checkpoint->scene() == scene_text(simulation->scene())) {
+    try {
+      return std::make_unique<RunFolder>(path, *checkpoint, *simulation, std::move(lock));
+    } catch (const InputError&) {  // the track is damaged: start again
+      lock = std::make_unique<FolderLock>(path);
+      simulation = std::make_unique<Simulation>(scene, 1);
+    }
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(path)) std::filesystem::remove_all(entry.path());
+  return std::make_unique<RunFolder>(path, *simulation, std::move(lock));
+}
+
+}  // namespace
+
+Sweep::Sweep(const SweepFolder& folder, int processes)
+    : folder_(folder),
+      progress_(folder.members().size()),
+      work_(folder.members().size()),
+      workers_(static_cast<std::size_t>(processes)) {
+  const auto& members = folder.members();
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    const auto scene = folder.scene_of(members[k]);
+    work_[k] = expected_work(scene, expected_end(scene));
+    const auto status = folder.status_of(members[k]);
+    if (status == "finished" || status == "failed") {
+      progress_[k] = {status == "finished" ? Stage::finished : Stage::failed, true, 1.0, 0.0, ""};
+    } else {
+      queue_.push_back(k);
+    }
+  }
+  // All points run with one seed before the next seed begins, so that the table fills evenly.
+  const auto seeds = folder.plan().seeds.size();
+  std::stable_sort(queue_.begin(), queue_.end(), [&](auto a, auto b) { return a % seeds < b % seeds; });
+  void* memory =
+      ::mmap(nullptr, workers_.size() * sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) throw RunError(fmt::format("cannot share memory: {}", std::strerror(errno)));
+  shared_ = static_cast<Shared*>(memory);
+}
+
+Sweep::~Sweep() {
+  stop_members();
+  ::munmap(shared_, workers_.size() * sizeof(Shared));
+}
+
+void Sweep::stop_members() {
+  for (auto& worker : workers_) {
+    if (worker.process <= 0) continue;
+    ::kill(worker.process, SIGKILL);
+    ::waitpid(worker.process, nullptr, 0);
+    worker.process = -1;
+  }
+}
+
+std::size_t Sweep::count(Stage stage) const {
+  return static_cast<std::size_t>(
+      std::count_if(progress_.begin(), progress_.end(), [&](const auto& member) { return member.stage == stage; }));
+}
+
+double Sweep::fraction() const {
+  double all = 0.0;
+  double done = 0.0;
+  for (std::size_t k = 0; k < progress_.size(); ++k) {
+    all += work_[k];
+    done += work_[k] * progress_[k].fraction;
+  }
+  return all > 0.0 ? done / all : 1.0;
+}
+
+double Sweep::wall_seconds() const { return seconds_since(began_); }
+
+void Sweep::run_member(std::size_t member, Shared& shared) const {
+  int status = 1;
+  // After a power failure so early the member is run again; flushing thousands of small files would take longer.
+  publish_without_flush_for(5.0);
+  try {
+    const auto& what = folder_.members()[member];
+    const auto path = folder_.member_path(what);
+    std::unique_ptr<Simulation> simulation;
+    const auto run = member_run(path, folder_.scene_of(what), simulation);
+    simulation->observe_every(simulation->scene().output.series, [&](const Simulation& s) {
+      shared.fraction = std::clamp(s.grain_steps() / std::max(work_[member], 1.0), 0.0, 0.999);
+    });
+    const std::atomic<bool> never{false};
+    run->run(*simulation, never);
+    run->write(*simulation);
+    if (simulation->status() == Status::failed) {
+      keep(shared.message, sizeof shared.message, simulation->message());
+    } else {
+      status = 0;
+    }
+  } catch (const std::exception& failure) {
+    keep(shared.message, sizeof shared.message, failure.what());
+  }
+  ::_exit(status);
+}
+
+void Sweep::start(std::size_t slot, std::size_t member) {
+  auto& worker = workers_[slot];
+  auto& shared = shared_[slot];
+  shared.fraction = 0.0;
+  shared.message[0] = '\0';
+  std::fflush(nullptr);
+  const pid_t parent = ::getpid();
+  const pid_t process = ::fork();
+  if (process < 0) throw RunError(fmt::format("cannot start a process: {}", std::strerror(errno)));
+  if (process == 0) {
+    // A member ends with its sweep, which handles Ctrl-C.
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (::getppid() != parent) ::_exit(1);
+    ::signal(SIGINT, SIG_IGN);
+    ::signal(SIGTERM, SIG_DFL);
+    run_member(member, shared);
+  }
+  worker = {process, member, Clock::now()};
+  progress_[member].stage = Stage::running;
+}
+
+void Sweep::end(std::size_t slot, int status) {
+  auto& worker = workers_[slot];
+  auto& member = progress_[worker.member];
+  member.seconds = seconds_since(worker.started);
+  member.fraction = 1.0;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
+    member.stage = Stage::finished;
+  } else {
+    member.stage = Stage::failed;
+    member.message = shared_[slot].message;
+    if (WIFSIGNALED(status)) member.message = fmt::format("killed by signal {}", WTERMSIG(status));
+  }
+  worker.process = -1;
+}
+
+void Sweep::update_progress(std::size_t slot) {
+  const auto& worker = workers_[slot];
+  auto& member = progress_[worker.member];
+  member.fraction = shared_[slot].fraction;
+  member.seconds = seconds_since(worker.started);
+}
+
+void Sweep::run(const std::function<void(std::size_t)>& changed, const std::function<void()>& tick,
+                const std::atomic<bool>& interrupt) {
+  constexpr double between_ticks = 0.05;  // [s]
+  began_ = Clock::now();
+  auto ticked = began_;
+  while (!interrupt) {
+    bool busy = false;
+    for (std::size_t slot = 0; slot < workers_.size(); ++slot) {
+      auto& worker = workers_[slot];
+      int status = 0;
+      if (worker.process > 0 && ::waitpid(worker.process, &status, WNOHANG) == worker.process) {
+        const auto member = worker.member;
+        end(slot, status);
+        changed(member);
+      }
+      if (worker.process < 0 && next_ < queue_.size()) start(slot, queue_[next_++]);
+      if (worker.process > 0) {
+        update_progress(slot);
+        busy = true;
+      }
+    }
+    if (!busy) return;
+    if (seconds_since(ticked) >= between_ticks) {
+      tick();
+      ticked = Clock::now();
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));  // a member may last a few milliseconds only
+  }
+  stop_members();  // nothing writes into the folder after this
+}
+
+}  // namespace repose

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/scene/scene.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace repose {
+
+/// A statement about the results of a sweep: a statistic lies between `above` and `below`. The rule that decides it is
+/// fixed beforehand: the sweep agrees if the statistic +- 2 standard errors lies within the bounds, disagrees if it
+/// lies wholly outside, and is undecided otherwise.
+struct Claim {
+  enum class Kind {
+    value,       ///< the mean of one point
+    difference,  ///< mean of the first point less that of the second
+    spread       ///< the largest magnitude of the difference between any two of the points
+  };
+  std::string text;
+  std::string source;   ///< the paper that states it
+  std::string measure;  ///< column of the table
+  Kind kind = Kind::value;
+  std::vector<std::string> points;  ///< names
+  double above = -std::numeric_limits<double>::infinity();
+  double below = std::numeric_limits<double>::infinity();
+};
+
+/// A parameter of a point of a sweep: a key of the scene and its value.
+struct Parameter {
+  std::string key;
+  std::string text;     ///< as TOML
+  double number = 0.0;  ///< NaN where the value is not a number
+};
+
+/// One set of parameters; every seed of the sweep makes a member of it.
+struct SweepPoint {
+  std::string name;  ///< unique, fit for the name of a folder
+  std::vector<Parameter> parameters;
+  Scene scene;  ///< the seed is that of the first member
+};
+
+/// An ensemble: points times seeds, read from a sweep file and checked with all its scenes.
+struct SweepPlan {
+  std::string title;
+  std::vector<std::int64_t> seeds;
+  std::vector<std::string> keys;  ///< of the parameters, in order of first appearance
+  std::vector<SweepPoint> points;
+  std::vector<Claim> claims;
+};
+
+/// A file of the folder of a sweep; the plan can be read again from these files alone.
+struct SweepFile {
+  std::string name;  ///< relative to the folder
+  std::string text;
+};
+
+/// Reads a sweep file and the scenes that it names, relative to it. Throws InputError with every problem.
+SweepPlan read_sweep(const std::string& path);
+
+/// The sweep file and its scenes as files that stand in one folder: "sweep.toml" first, then "scenes/...".
+std::vector<SweepFile> self_contained(const std::string& path);
+
+}  // namespace repose

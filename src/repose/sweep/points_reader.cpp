@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/core/errors.hpp"
+#include "repose/scene/read.hpp"
+#include "repose/sweep/plan_reader.hpp"
+#include "repose/sweep/toml_values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <limits>
+#include <map>
+
+namespace fs = std::filesystem;
+
+namespace repose {
+
+Setting SweepReader::setting(const std::string& key, const toml::node& value) const {
+  const double number = value.is_number() ? value.value_or(0.0) : std::numeric_limits<double>::quiet_NaN();
+  return {{key, toml_text(value), number}, place(value)};
+}
+
+std::vector<Setting> SweepReader::settings(const toml::table& table, const std::string& prefix) {
+  std::vector<Setting> found;
+  const auto* node = table.get("set");
+  if (node == nullptr) return found;
+  const auto* values = node->as_table();
+  if (values == nullptr) {
+    problem(*node, fmt::format("{}set: must be a table of keys of the scene", prefix));
+    return found;
+  }
+  for (const auto& [key, value] : values_below(*values)) {
+    if (key == "seed") problem(*value, fmt::format("{}set.seed: the sweep sets it; use seeds", prefix));
+    found.push_back(setting(key, *value));
+  }
+  return found;
+}
+
+/// Every combination of the values in [vary]; a single empty one without.
+std::vector<std::vector<Setting>> SweepReader::combinations() {
+  std::vector<std::vector<Setting>> all(1);
+  const auto* node = root_.get("vary");
+  if (node == nullptr) return all;
+  const auto* values = node->as_table();
+  if (values == nullptr) {
+    problem(*node, "vary: must be a table of keys of the scene, each with a list of values");
+    return all;
+  }
+  for (const auto& [key, value] : values_below(*values)) {
+    const auto* list = value->as_array();
+    if (key == "seed") {
+      problem(*value, "vary.seed: the sweep sets it; use seeds");
+    } else if (list == nullptr || list->empty()) {
+      problem(*value, fmt::format("vary.{} = {}: must be a list of values", key, toml_text(*value)));
+    } else if (all.size() * list->size() > most_members) {
+      problem(*value, fmt::format("vary: more than {} points", most_members));
+    } else {
+      std::vector<std::vector<Setting>> grown;
+      for (const auto& combination : all) {
+        for (const auto& entry : *list) {
+          grown.push_back(combination);
+          grown.back().push_back(setting(key, entry));
+        }
+      }
+      all = std::move(grown);
+    }
+  }
+  return all;
+}
+
+namespace {
+
+/// A name that any file system takes.
+std::string fit_for_a_folder(std::string name) {
+  for (auto& c : name) {
+    const bool fine =
+        std::isalnum(static_cast<unsigned char>(c)) != 0 || std::string("._=+-").find(c) != std::string::npos;
+    if (!fine) c = '-';
+  }
+  if (!name.empty() && name.front() == '.') name.front() = '-';
+  return name;
+}
+
+std::string last_step(const std::string& key) { return key.substr(key.rfind('.') + 1); }
+
+std::string bare(const std::string& text) {
+  const bool quoted = text.size() >= 2 && (text.front() == '"' || text.front() == '\'') && text.front() == text.back();
+  return quoted ? text.substr(1, text.size() - 2) : text;
+}
+
+}  // namespace
+
+void SweepReader::add_point(SweepPlan& plan, const std::string& name, const std::string& scene,
+                            const std::vector<Setting>& common, const std::vector<Setting>& own) {
+  SweepPoint point;
+  point.name = fit_for_a_folder(name);
+  Overrides overrides;
+  overrides.seed = plan.seeds.empty() ? 1 : plan.seeds.front();
+  for (const auto* list : {&common, &own}) {
+    for (const auto& [parameter, origin] : *list) {
+      overrides.set.push_back(fmt::format("{} = {}", parameter.key, parameter.text));
+      overrides.origins.push_back(origin);
+    }
+  }
+  for (const auto& [parameter, origin] : own) {
+    point.parameters.push_back(parameter);
+    if (std::find(plan.keys.begin(), plan.keys.end(), parameter.key) == plan.keys.end()) {
+      plan.keys.push_back(parameter.key);
+    }
+  }
+  const auto taken = [&](const SweepPoint& other) { return other.name == point.name; };
+  if (std::any_of(plan.points.begin(), plan.points.end(), taken)) {
+    problems_.push_back(fmt::format("{}: two points have the name \"{}\"", path_, point.name));
+  }
+  try {
+    point.scene = read_scene((fs::path(path_).parent_path() / scene).string(), overrides);
+  } catch (const InputError& error) {
+    problems_.insert(problems_.end(), error.problems().begin(), error.problems().end());
+  }
+  plan.points.push_back(std::move(point));
+}
+
+void SweepReader::read_points(SweepPlan& plan) {
+  const auto general_scene = text(root_, "", "scene", root_.get("point") == nullptr);
+  const auto common = settings(root_, "");
+  const auto varied = combinations();
+  std::map<std::string, int> short_names;
+  if (!varied.empty()) {
+    for (const auto& entry : varied.front()) ++short_names[last_step(entry.parameter.key)];
+  }
+  const auto named = [&](std::string name, const std::vector<Setting>& combination) {
+    for (const auto& [parameter, origin] : combination) {
+      const auto step = last_step(parameter.key);
+      name += fmt::format("{}{}={}", name.empty() ? "" : "_", short_names[step] > 1 ? parameter.key : step,
+                          bare(parameter.text));
+    }
+    return name;
+  };
+  const auto* list = list_of_tables("point");
+  if (list == nullptr) {
+    if (!problems_.empty() && general_scene.empty()) return;
+    for (const auto& combination : varied) {
+      const auto name = named("", combination);
+      add_point(plan, name.empty() ? fs::path(general_scene).stem().string() : name, general_scene, common,
+                combination);
+    }
+    return;
+  }
+  for (std::size_t k = 0; k < list->size(); ++k) {
+    const auto& table = *list->get(k)->as_table();
+    const auto prefix = fmt::format("point[{}].", k);
+    check_keys(table, prefix, {"name", "scene", "set"});
+    const auto name = text(table, prefix, "name", true);
+    auto scene = text(table, prefix, "scene", general_scene.empty());
+    if (scene.empty()) scene = general_scene;
+    if (name.empty() || scene.empty()) continue;
+    const auto of_point = settings(table, prefix);
+    for (const auto& combination : varied) {
+      auto own = of_point;
+      own.insert(own.end(), combination.begin(), combination.end());
+      add_point(plan, named(name, combination), scene, common, own);
+    }
+  }
+}
+
+}  // namespace repose
