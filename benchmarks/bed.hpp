@@ -15,8 +15,8 @@ struct Bed {
   Box<2> box;
 };
 
-/// Reads a LAMMPS data file (atom_style sphere, see beds/README.md): type 2 is fixed, masses are d^2. The bed is put
-/// side by side `copies` times along x.
+/// Reads a LAMMPS data file (atom_style sphere, see beds/README.md). Type 2 is fixed; masses are d^2. `copies` copies
+/// of the bed stand side by side along x.
 Bed read_bed(const std::string& path, int copies);
 
 }  // namespace repose::bench

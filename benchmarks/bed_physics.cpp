@@ -6,8 +6,8 @@
 
 #include <string>
 
-// Runs the bed for a number of steps and prints what benchmarks/run.py compares with LAMMPS: kinetic energy, height of
-// the centre of mass, vertical force on the fixed row, weight of the moving grains.
+// Runs the bed for a number of steps and prints the numbers that benchmarks/run.py compares with LAMMPS: kinetic
+// energy, height of the centre of mass, vertical force on the fixed row, weight of the moving grains.
 
 int main(int argc, char** argv) {
   using namespace repose;

@@ -9,8 +9,8 @@
 
 namespace repose::bench {
 
-// The bed's own parameters (beds/README.md). For unit masses the damping gamma_n = 140 per reduced mass is a dashpot of
-// 70 = 2 zeta sqrt(k); the tangential one is half of it, as is LAMMPS's default.
+// The parameters of the bed (beds/README.md). For unit masses the damping gamma_n = 140 per reduced mass is a dashpot
+// of 70 = 2 zeta sqrt(k). The tangential dashpot is half of it, the default of LAMMPS.
 inline constexpr double stiffness = 5e4;
 inline constexpr double tangential_stiffness = 2.0 / 7.0 * stiffness;
 inline constexpr double time_step = 2e-4;
@@ -25,7 +25,7 @@ inline SoftSettings<2> settings_of(const Bed& bed) {
   settings.time_step = time_step;
   settings.gravity = {{0.0, -1.0}};
   settings.box = bed.box;
-  settings.skin = 0.05;  // the fastest here; LAMMPS too runs with its own best
+  settings.skin = 0.05;  // the fastest here; LAMMPS also runs with its best skin
   return settings;
 }
 

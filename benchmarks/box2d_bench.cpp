@@ -4,8 +4,8 @@
 // Contact-iterations per second of Box2D on a settled bed: standard input has a line `disc x y radius mass` for each
 // grain and `wall x y nx ny` for each wall. Called by benchmarks/contact_dynamics.py; prints one line of JSON.
 //
-// A step's Profile::solveVelocity is the loop of velocity iterations alone (and storing impulses once). It is of the
-// clock, so that its share of the step is taken of the CPU time of the step.
+// Profile::solveVelocity of a step covers the loop of velocity iterations (and storing impulses once). It is wall time,
+// so its fraction of the step is multiplied by the CPU time of the step.
 #include <box2d/box2d.h>
 
 #include <cmath>
@@ -46,7 +46,7 @@ void add_disc(b2World& world, float x, float y, float radius, float mass) {
   world.CreateBody(&body)->CreateFixture(&fixture);
 }
 
-/// Edges have a skin, by which a wall is moved back.
+/// Edges of Box2D have a skin, so a wall is moved back by it.
 void add_wall(b2World& world, const b2Vec2& point, const b2Vec2& normal) {
   const b2Vec2 middle = point - b2_polygonRadius * normal;
   const b2Vec2 along(-normal.y, normal.x);
@@ -82,7 +82,7 @@ int touching(const b2World& world) {
   return count;
 }
 
-/// Root of the mean square of the speeds of the discs.
+/// The root mean square of the speeds of the discs.
 double typical_speed(const b2World& world) {
   double sum = 0.0;
   double discs = 0.0;

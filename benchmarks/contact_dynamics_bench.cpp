@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Contact-iterations per second of contact dynamics in a bed that was settled in a periodic box: a contact visited by a
-// sweep, one way, is one. `sweeps` measures the solver at work from no impulses, `steps` whole steps with warm start;
-// `one_by_one` and `packed` the bare sweeps, contact by contact and in packs (instructions: 0 baseline, 1 AVX2,
-// 2 AVX-512), and `build` how long it takes to put the contacts into packs.
+// Contact-iterations per second of contact dynamics in a settled bed in a periodic box. One contact-iteration is a
+// visit of a contact by a sweep in one direction. `sweeps` measures the solver from zero impulses, `steps` whole steps
+// with warm start, `one_by_one` and `packed` the bare sweeps over single contacts and over packs (instructions: 0
+// baseline, 1 AVX2, 2 AVX-512), and `build` the time to put the contacts into packs.
 #include "repose/core/aligned.hpp"
 #include "repose/core/random.hpp"
 #include "repose/methods/contact_dynamics/contact_dynamics.hpp"
@@ -48,7 +48,7 @@ SettledBed& settled_bed(int count) {
     grain.radius = 0.4 + 0.1 * uniform(1, Purpose::grain_size, index);
     grain.mass = 4.0 * grain.radius * grain.radius;
     grain.inverse_mass = 1.0 / grain.mass;
-    // Shifted sideways, or columns would stand.
+    // Rows are shifted sideways, because straight columns would stand.
     const double shift = 0.1 * uniform(1, Purpose::release_position, index);
     grain.position = {{0.4 + k % width + shift, 0.6 + 1.05 * static_cast<double>(k / width)}};
     bed.grains.add(grain, k);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Discs per second of the method `deposition`, by critical angle and size, on a contiguous row. The last number of a
-// name is the count of discs; the bytes are those of all that the method and its grains keep, per disc.
+// name is the number of discs. Bytes per disc include all memory of the method and its grains.
 #include "repose/core/random.hpp"
 #include "repose/methods/deposition/deposition.hpp"
 

@@ -10,8 +10,7 @@
 #include <cmath>
 #include <map>
 
-// Speed of the packing analysis. Discs lie in memory in order of deposition, that is, at random in x, as a deposition
-// leaves them.
+// Speed of the packing analysis. Discs lie in memory in order of deposition, so at random in x.
 
 namespace repose::bench {
 namespace {
@@ -21,8 +20,8 @@ struct Case {
   Box<2> box;
 };
 
-/// Discs that stick where they fall (critical angle 90 degrees): loose, many columns of height. Only the last 24 discs
-/// near each place are looked at, so that a few may overlap.
+/// Discs that stick at the first touch (critical angle 90 degrees): a loose packing, many widths high. Only the last 24
+/// discs near each position are checked, so a few may overlap.
 Case loose_packing(std::size_t deposited) {
   const auto columns = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(deposited))));
   Case packing;
@@ -52,7 +51,7 @@ Case loose_packing(std::size_t deposited) {
   return packing;
 }
 
-/// The triangular lattice: most contacts.
+/// The triangular lattice, which has most contacts.
 Case dense_packing(std::size_t deposited) {
   const auto columns = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(deposited))));
   Case packing;

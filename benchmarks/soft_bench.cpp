@@ -12,8 +12,8 @@
 #include <map>
 #include <memory>
 
-// Speed of the soft method on real states, in moving grain-steps per second: of CPU time for one thread, of wall time
-// where threads are compared. Compare ratios within one run only.
+// Speed of the soft method on real states, in moving grain-steps per second of CPU time for one thread, and of wall
+// time where threads are compared. Compare only ratios within one run.
 
 namespace repose::bench {
 namespace {
@@ -31,7 +31,7 @@ void set_rate(benchmark::State& state, double steps, std::size_t grains) {
   state.counters["grain_steps"] = benchmark::Counter(steps * static_cast<double>(grains), benchmark::Counter::kIsRate);
 }
 
-/// Steps of the bed, side by side as many times as the first argument says, on as many threads as the second.
+/// Steps of copies of the bed side by side. The first argument is the number of copies, the second that of threads.
 template <class Law>
 void bed(benchmark::State& state, const Law& law) {
   const auto& start = bed_of(static_cast<int>(state.range(0)));
@@ -69,7 +69,8 @@ BENCHMARK(bed_hooke_linear)
     ->UseRealTime();
 BENCHMARK(bed_hooke_linear)->Name("bed_large")->ArgNames({"copies", "threads"})->Args({100, 1})->Iterations(6);
 
-/// The scene of examples/heap.toml poured faster, so that its first 600 grains need seconds; the last still fall.
+/// The first 600 grains of examples/heap.toml, poured faster, so that this takes seconds. The last grains are in
+/// flight.
 const Simulation& growing_heap() {
   static const auto simulation = [] {
     Overrides overrides;
@@ -98,7 +99,8 @@ void heap_continuous(benchmark::State& state) {
 }
 BENCHMARK(heap_continuous)->Iterations(20);
 
-/// All that a new pair list costs a run (sort, list, histories, shares of the members) after every grain has moved.
+/// The whole cost of a new pair list (sorting, listing, slip displacements, distribution among threads) after every
+/// grain has moved.
 void pair_list_build(benchmark::State& state) {
   const auto& start = bed_of(static_cast<int>(state.range(0)));
   auto grains = start.grains;

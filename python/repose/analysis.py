@@ -40,7 +40,6 @@ class Analysis(dict):
         with opened(path) as file:
             self.attributes = attributes_of(file)
             check_format(path, self.attributes, "analysis", FORMAT_VERSION, ["time"])
-            super().__init__(
-                {name: Table(file[name], columns) if name in file else None for name, columns in GROUPS.items()}
-            )
+            groups = [*GROUPS, *(name for name in file if name not in GROUPS and name != "packing")]
+            super().__init__({name: Table(file[name], GROUPS.get(name, "")) if name in file else None for name in groups})
             self.packing = Packing(file["packing"]) if "packing" in file else None

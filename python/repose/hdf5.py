@@ -20,11 +20,13 @@ SEAL_SIZE = 512  # bytes before the HDF5 file itself
 
 
 class Table(dict):
-    """Columns by name, with the attributes of their group; text as lists of str; KeyError without a needed column."""
+    """Columns by name, with their units and the attributes of their group; text as lists of str; KeyError without a needed
+    column."""
 
     def __init__(self, group, needed=""):
         super().__init__({name: values_of(part) for name, part in group.items() if isinstance(part, h5py.Dataset)})
         self.attributes = attributes_of(group)
+        self.units = {name: attributes_of(group[name]).get("unit", "") for name in self}
         missing = [f"{group.name}/{name}" for name in needed.split() if name not in self]
         if missing:
             raise KeyError(f"no dataset {', '.join(missing)}")

@@ -203,7 +203,7 @@ TEST(CoreRegion, TriangularLattice) {
   }
   const std::vector<bool> in_heap(pile.grains.size(), true);
   const auto heap = measure_heap(pile.grains, in_heap, 0.0, 2.0);
-  const auto cells = voronoi(pile.grains, in_heap, {}, {});
+  const auto cells = voronoi({pile.grains, {}}, in_heap, {}, {});
   const auto core = measure_core(pile.grains, pile.contacts, heap, cells, 0.0, 4.0, 2.0, 0.2);
   EXPECT_GT(core.grains, 50U);
   EXPECT_NEAR(*core.solid_fraction, std::numbers::pi / std::sqrt(12.0), 1e-9);

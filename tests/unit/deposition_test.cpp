@@ -79,7 +79,7 @@ struct Packer {
     options.walls = walls();
     if (flat) options.slab.base_height = 0.5;
     const auto grains = pack();
-    return analyse_packing(discs_of(grains, settings().box), settings().box, options).packing.value();
+    return analyse_packing(discs_of({grains, settings().box}), settings().box, options).packing.value();
   }
 };
 
@@ -121,7 +121,7 @@ TEST(Deposition, EveryDiscRestsWithoutOverlap) {
                             .seed = 3};
         const auto grains = packer.pack();
         const auto box = packer.settings().box;
-        const auto discs = discs_of(grains, box);
+        const auto discs = discs_of({grains, box});
         constexpr double gap = 1e-9;
         const auto graph = contact_graph(discs, box, gap);
         const auto breaks = breaks_sticking_rule(discs, box, graph, packer.walls(), gap, angle);
@@ -181,7 +181,7 @@ TEST(Deposition, SolidFractionsOfThePaperSize) {
 TEST(Deposition, SticksOnceAtNinetyDegrees) {
   const Packer packer{.width = 100, .count = 20000, .angle_deg = 90.0};
   const auto grains = packer.pack();
-  const auto graph = contact_graph(discs_of(grains, packer.settings().box), packer.settings().box, 1e-9);
+  const auto graph = contact_graph(discs_of({grains, packer.settings().box}), packer.settings().box, 1e-9);
   EXPECT_EQ(graph.contacts(), 20000U + 100U);  // the second term: those of the contiguous row
   EXPECT_NEAR(packer.measured().coordination.mean.mean, 2.0, 0.02);
 }

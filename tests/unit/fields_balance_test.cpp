@@ -75,7 +75,7 @@ TEST(Fields, EveryRowCarriesTheForcesAboveIt) {
         place.push_back(grains.line[second].position);
         force.push_back(-force_of(contact));
       }
-      const auto fields = coarse_grained(grains, contacts, heap, box, width);
+      const auto fields = coarse_grained({grains, box}, contacts, heap, box, width);
       const auto columns = fields.x.size();
       for (std::size_t row = 0; row < fields.y.size(); ++row) {
         for (int a = 0; a < 2; ++a) {

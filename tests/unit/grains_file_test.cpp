@@ -218,9 +218,7 @@ TEST_F(GrainsFileTest, ProblemsOfDumps) {
 
 /// Numbers that need all 17 digits, including extreme ones.
 Moment awkward_moment() {
-  Moment moment;
-  moment.time = 1.0 / 3.0;
-  moment.step = 12345;
+  Grains<2> grains;
   for (int k = 0; k < 50; ++k) {
     Grain<2> grain;
     grain.position = {{std::sin(k) * std::pow(10.0, k % 7 - 3), -std::exp(0.37 * k)}};
@@ -228,9 +226,9 @@ Moment awkward_moment() {
     grain.radius = 0.5 + 0.1 * std::sin(5.0 * k);
     grain.mass = grain.radius * grain.radius / 3.0;
     grain.inverse_mass = k % 5 == 0 ? 0.0 : 1.0 / grain.mass;
-    moment.grains.add(grain, 2 * k, k % 10 == 0, static_cast<std::uint16_t>(k % 3));
+    grains.add(grain, 2 * k, k % 10 == 0, static_cast<std::uint16_t>(k % 3));
   }
-  return moment;
+  return {1.0 / 3.0, 12345, {grains, {}}, {}};
 }
 
 void expect_same_bits(const std::vector<GrainRow>& rows, const Grains<2>& grains, std::int64_t first_id) {
@@ -258,7 +256,7 @@ TEST_F(GrainsFileTest, ExportedDumpsReadBackTheSameBits) {
   add_grains_for_lammps(file, {0.0, 1, {}, {}}, {});  // a snapshot without grains before
   add_grains_for_lammps(file, moment, {});
   file.commit();
-  expect_same_bits(read_grains_file(path("grains.dump")), moment.grains, 1);
+  expect_same_bits(read_grains_file(path("grains.dump")), *moment.grains, 1);
 }
 
 TEST_F(GrainsFileTest, ExportedTablesReadBackTheSameBits) {
@@ -271,7 +269,7 @@ TEST_F(GrainsFileTest, ExportedTablesReadBackTheSameBits) {
   ASSERT_EQ(tables.size(), 1U);
   EXPECT_EQ(tables[0].name, "grains");
   write_csv(path("grains.csv"), reader, tables[0]);
-  expect_same_bits(read_grains_file(path("grains.csv")), moment.grains, 0);
+  expect_same_bits(read_grains_file(path("grains.csv")), *moment.grains, 0);
 }
 
 }  // namespace

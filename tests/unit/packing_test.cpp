@@ -96,7 +96,7 @@ TEST(Packing, of_grains_is_ordered_by_id_and_wrapped) {
   grains.add(grain, 7);
   grain.position = {{3.0, 2.0}};
   grains.add(grain, 2, true);
-  const auto discs = discs_of(grains, sides(10.0));
+  const auto discs = discs_of({grains, sides(10.0)});
   EXPECT_EQ(discs.position[0], (Vec<2>{{3.0, 2.0}}));
   EXPECT_EQ(discs.position[1], (Vec<2>{{2.0, 1.0}}));
   EXPECT_EQ(discs.base, (std::vector<std::uint8_t>{1, 0}));

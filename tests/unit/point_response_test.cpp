@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repose/sweep/response.hpp"
-
 #include "repose/scene/read.hpp"
+#include "repose/sweep/response.hpp"
 #include "repose/theory/point_load.hpp"
 
 #include <gtest/gtest.h>
@@ -89,12 +88,14 @@ struct Planted {
   Record state() const {
     Record record;
     record.scene = plan.points[0].scene;
+    Grains<2> grains;
     for (const double x : {0.0, 5.0}) {
       Grain<2> grain;
       grain.position = {{x, depth}};
       grain.inverse_mass = 1.0;
-      record.grains.add(grain, static_cast<std::int64_t>(x));
+      grains.add(grain, static_cast<std::int64_t>(x));
     }
+    record.grains = {grains, {}};
     return record;
   }
 

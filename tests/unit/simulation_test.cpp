@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <stdexcept>
 
 // A run is the same to the bit however it is divided into advances, whoever observes it, and across a checkpoint.
 
@@ -247,6 +248,30 @@ TEST(Simulation, APauseEndsAnAdvanceAndInterruptsARun) {
   pauses = 0;
   EXPECT_EQ(simulation.run(twice).status, Status::interrupted);
   EXPECT_EQ(simulation.message(), "interrupted");
+}
+
+// An observer that throws ends the advance at its time; what else was due then is done by the next advance.
+TEST(Simulation, AnObserverThatThrowsLeavesTheRunSound) {
+  for (const auto& one : cases) {
+    SCOPED_TRACE(one.name);
+    auto whole = make(one, 1);
+    whole.run();
+    auto simulation = make(one, 1);
+    const double last = whole.time();
+    int thrown = 0;
+    simulation.observe_every(whole.time_step(), [&](const Simulation& s) {
+      if (s.steps() % 7 == 0 || s.time() == last) throw std::runtime_error("enough");
+    });
+    while (simulation.status() == Status::running) {
+      try {
+        simulation.advance(forever);
+      } catch (const std::runtime_error&) {
+        ++thrown;
+      }
+    }
+    EXPECT_GE(thrown, static_cast<int>(whole.steps() / 7));
+    expect_same(whole.record(), simulation.record(), "thrown out of");
+  }
 }
 
 TEST(Simulation, ObserversNeedAnInterval) {

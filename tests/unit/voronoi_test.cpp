@@ -112,7 +112,7 @@ std::vector<FlatWall> floor_and_lid(double height) {
 /// Compares areas with brute force; the outline of each cell must have its area.
 void expect_brute_force(const Grains<2>& grains, const std::vector<bool>& in_heap, const std::vector<FlatWall>& walls,
                         const Box<2>& box) {
-  const auto cells = voronoi(grains, in_heap, walls, box);
+  const auto cells = voronoi({grains, box}, in_heap, walls, box);
   std::size_t next = 0;
   for (const auto k : by_id(grains)) {
     if (!in_heap[k]) continue;
@@ -136,7 +136,7 @@ TEST(Voronoi, TriangularLattice) {
   for (int row = 0; row < 9; ++row)
     for (int k = 0; k < 9; ++k)
       grains.add(disc(diameter * (k + 0.5 * row), diameter * std::sqrt(0.75) * row, 0.5 * diameter), 9 * row + k);
-  const auto cells = voronoi(grains, all(grains), {}, {});
+  const auto cells = voronoi({grains, {}}, all(grains), {}, {});
   ASSERT_EQ(cells.size(), 81U);
   for (int row = 1; row < 8; ++row) {
     for (int k = 1; k < 8; ++k) {
@@ -154,7 +154,7 @@ TEST(Voronoi, SquareLatticeInAPeriodicBoxUpToItsFloor) {
   Grains<2> grains;
   for (int row = 0; row < 6; ++row)
     for (int k = 0; k < 8; ++k) grains.add(disc(k + 0.5, row + 0.5), 8 * row + k);
-  const auto cells = voronoi(grains, all(grains), {{{{0.0, 0.0}}, {{0.0, 1.0}}}}, periodic(8.0));
+  const auto cells = voronoi({grains, periodic(8.0)}, all(grains), {{{{0.0, 0.0}}, {{0.0, 1.0}}}}, periodic(8.0));
   for (int k = 0; k < 48; ++k) {
     const auto& cell = cells[static_cast<std::size_t>(k)];
     EXPECT_EQ(cell.closed, k < 40) << k;  // all except the top row
@@ -170,7 +170,7 @@ TEST(Voronoi, RadicalLineOfUnequalDiscs) {
   Grains<2> grains;
   grains.add(disc(2.0, 1.0, 1.0), 0);
   grains.add(disc(2.0 + 1.5, 1.0, 0.5), 1);
-  const auto cells = voronoi(grains, all(grains), {}, {});
+  const auto cells = voronoi({grains, {}}, all(grains), {}, {});
   ASSERT_EQ(cells.size(), 2U);
   double right = -1e9;
   for (const auto& vertex : cells[0].vertices) right = std::max(right, vertex[0]);
@@ -186,7 +186,7 @@ TEST(Voronoi, LoneGrainHasTheCutOffPolygon) {
   grains.add(disc(-7.0, 40.0), 5);
   grains.add(disc(-6.0, 40.0), 6);  // in flight
   const std::vector<bool> heap{true, false};
-  const auto cells = voronoi(grains, heap, {}, {});
+  const auto cells = voronoi({grains, {}}, heap, {}, {});
   ASSERT_EQ(cells.size(), 1U);
   EXPECT_EQ(cells[0].id, 5);
   EXPECT_FALSE(cells[0].closed);
@@ -203,10 +203,10 @@ TEST(Voronoi, WallsCutAndCloseCells) {
   // A corner of two sloping walls, 0.6 and 0.5 from the centre, below a lid at 0.7.
   std::vector<FlatWall> walls{{{{0.0, -0.6 / diagonal}}, {{diagonal, diagonal}}},
                               {{{0.0, -0.5 / diagonal}}, {{-diagonal, diagonal}}}};
-  const auto open = voronoi(grains, all(grains), walls, {});
+  const auto open = voronoi({grains, {}}, all(grains), walls, {});
   EXPECT_FALSE(open[0].closed);
   walls.push_back({{{0.0, 0.4}}, {{0.0, -1.0}}});
-  const auto shut = voronoi(grains, all(grains), walls, {});
+  const auto shut = voronoi({grains, {}}, all(grains), walls, {});
   EXPECT_TRUE(shut[0].closed);
   ASSERT_EQ(shut[0].vertices.size(), 3U);
   const double depth = 0.4 + (0.6 + 0.5) * diagonal;  // of the right-angled corner below the lid
@@ -218,7 +218,7 @@ TEST(Voronoi, FixedGrainsBoundCellsAndHaveNone) {
   for (int k = 0; k < 25; ++k) grains.add(disc(k % 5, k / 5, 0.5, k != 12), k);
   std::vector<bool> heap(25, false);
   heap[12] = true;
-  const auto cells = voronoi(grains, heap, {}, {});
+  const auto cells = voronoi({grains, {}}, heap, {}, {});
   ASSERT_EQ(cells.size(), 1U);
   EXPECT_TRUE(cells[0].closed);
   EXPECT_NEAR(cells[0].area, 1.0, 1e-10);
@@ -228,7 +228,7 @@ TEST(Voronoi, NoneWithoutGrains) {
   EXPECT_TRUE(voronoi({}, {}, {}, {}).empty());
   Grains<2> grains;
   grains.add(disc(0.0, 0.0, 0.5, true), 0);
-  EXPECT_TRUE(voronoi(grains, {false}, {}, {}).empty());
+  EXPECT_TRUE(voronoi({grains, {}}, {false}, {}, {}).empty());
 }
 
 // At every point of the small disc, a larger one has the smaller power.
@@ -240,7 +240,7 @@ TEST(Voronoi, BuriedDiscHasAnEmptyCell) {
     const double angle = std::numbers::pi * k / 3.0;
     grains.add(disc(0.6 * std::cos(angle), 0.6 * std::sin(angle), 1.0), 2 + k);
   }
-  const auto cells = voronoi(grains, all(grains), {}, {});
+  const auto cells = voronoi({grains, {}}, all(grains), {}, {});
   EXPECT_EQ(cells[1].area, 0.0);
   EXPECT_TRUE(cells[1].vertices.empty());
   EXPECT_TRUE(std::isnan(cells[1].solid_fraction));
@@ -251,7 +251,7 @@ TEST(Voronoi, CellsFillAPeriodicBox) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     auto grains = scattered(15, 12, 0.8, seed);
     for (std::size_t k = 0; k < grains.size(); k += 5) grains.line[k].position[0] -= 5.0;  // unwrapped positions too
-    const auto cells = voronoi(grains, all(grains), floor_and_lid(12 * 0.8), periodic(15 * 0.8));
+    const auto cells = voronoi({grains, periodic(15 * 0.8)}, all(grains), floor_and_lid(12 * 0.8), periodic(15 * 0.8));
     double sum = 0.0;
     for (const auto& cell : cells) {
       sum += cell.area;

@@ -6,13 +6,13 @@
 
 namespace repose {
 
-Discs discs_of(const Grains<2>& grains, const Box<2>& box) {
+Discs discs_of(const OrderedGrains<2>& grains) {
   Discs discs;
   discs.position.reserve(grains.size());
   discs.radius.reserve(grains.size());
   discs.base.reserve(grains.size());
-  for (const auto k : by_id(grains)) {
-    discs.add(box.wrapped(grains.line[k].position), grains.line[k].radius, grains.base[k] != 0);
+  for (std::size_t k = 0; k < grains.size(); ++k) {
+    discs.add(grains->line[k].position, grains->line[k].radius, grains->base[k] != 0);
   }
   return discs;
 }

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/core/box.hpp"
-#include "repose/core/grains.hpp"
+#include "repose/core/ordered_grains.hpp"
 #include "repose/core/vec.hpp"
 
 #include <cstddef>
@@ -27,9 +26,9 @@ struct Discs {
   }
 };
 
-/// The grains by ascending id (the order in which sources add them), wrapped into the box. A base disc is a grain
-/// flagged as base; whether it is fixed does not matter, because some methods fix the grains that they deposit.
-Discs discs_of(const Grains<2>& grains, const Box<2>& box);
+/// The grains in their order, in which sources add them. A base disc is a grain flagged as base; whether it is fixed
+/// does not matter, because some methods fix the grains that they deposit.
+Discs discs_of(const OrderedGrains<2>& grains);
 
 /// Number of deposited discs.
 std::size_t deposited_count(const Discs& discs);

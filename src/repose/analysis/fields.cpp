@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <unordered_map>
 
 namespace repose {
 
@@ -41,23 +40,20 @@ struct Branch {
 };
 
 /// The contacts of the heap, in the order of the list.
-std::vector<Branch> find_branches(const Grains<2>& grains, const Contacts<2>& contacts,
+std::vector<Branch> find_branches(const OrderedGrains<2>& grains, const Contacts<2>& contacts,
                                   const std::vector<bool>& in_heap, const Box<2>& box) {
-  std::unordered_map<std::int64_t, std::size_t> place;
-  place.reserve(grains.size());
-  for (std::size_t k = 0; k < grains.size(); ++k) place.emplace(grains.id[k], k);
   std::vector<Branch> branches;
   for (const auto& contact : contacts.list) {
-    const auto first = place.at(contact.first);
-    const Vec<2>& at_first = grains.line[first].position;
+    const auto first = grains.find(contact.first).value();
+    const Vec<2>& at_first = grains->line[first].position;
     const Vec<2> force = force_of(contact);
     if (contact.second < 0) {
       const Vec<2> branch = contact.normal * contact.first_lever;
       if (in_heap[first]) branches.push_back({at_first - branch, branch, force, true});
       continue;
     }
-    const auto second = place.at(contact.second);
-    const Vec<2>& at_second = grains.line[second].position;
+    const auto second = grains.find(contact.second).value();
+    const Vec<2>& at_second = grains->line[second].position;
     const Vec<2> between = separation(at_first, at_second, box);
     const Vec<2> lever = contact.normal * contact.first_lever;
     if (in_heap[first] && in_heap[second]) {
@@ -193,7 +189,7 @@ std::vector<double> centres(const Axis& axis, double cell) {
 
 }  // namespace
 
-Fields coarse_grained(const Grains<2>& grains, const Contacts<2>& contacts, const std::vector<bool>& in_heap,
+Fields coarse_grained(const OrderedGrains<2>& grains, const Contacts<2>& contacts, const std::vector<bool>& in_heap,
                       const Box<2>& box, double width) {
   REPOSE_ASSERT(width > 0.0 && in_heap.size() == grains.size());
   Fields fields;
@@ -202,7 +198,7 @@ Fields coarse_grained(const Grains<2>& grains, const Contacts<2>& contacts, cons
   const auto branches = find_branches(grains, contacts, in_heap, box);
   std::vector<Vec<2>> points;
   for (std::size_t k = 0; k < grains.size(); ++k)
-    if (in_heap[k]) points.push_back(grains.line[k].position);
+    if (in_heap[k]) points.push_back(grains->line[k].position);
   if (points.empty()) return fields;
   for (const auto& branch : branches) {
     points.push_back(branch.start);
@@ -232,9 +228,9 @@ Fields coarse_grained(const Grains<2>& grains, const Contacts<2>& contacts, cons
   for (auto& component : fields.support) component.assign(cells, 0.0);
 
   Smear smear(grid, width);
-  for (const auto k : by_id(grains)) {
+  for (std::size_t k = 0; k < grains.size(); ++k) {
     if (!in_heap[k]) continue;
-    const auto& grain = grains.line[k];
+    const auto& grain = grains->line[k];
     smear.at(grain.position);
     smear.add(fields.density, grain.mass);
     smear.add(fields.solid_fraction, std::numbers::pi * squared(grain.radius));

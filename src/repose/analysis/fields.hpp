@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/core/box.hpp"
 #include "repose/core/contacts.hpp"
-#include "repose/core/grains.hpp"
+#include "repose/core/ordered_grains.hpp"
 
 #include <array>
 #include <vector>
@@ -44,7 +43,7 @@ struct Fields {
 ///
 /// Source: Goldhirsch, Granular Matter 12, 239 (2010); supports after Weinhart et al., Granular Matter 14, 289 (2012).
 /// Validated by tests/unit/fields_test.cpp.
-Fields coarse_grained(const Grains<2>& grains, const Contacts<2>& contacts, const std::vector<bool>& in_heap,
+Fields coarse_grained(const OrderedGrains<2>& grains, const Contacts<2>& contacts, const std::vector<bool>& in_heap,
                       const Box<2>& box, double width);
 
 }  // namespace repose

@@ -46,8 +46,7 @@ std::optional<double> moments_angle(const Grains<D>& grains, const std::vector<b
   double n = 0.0;
   double x = 0.0;
   double y = 0.0;
-  const auto order = by_id(grains);
-  for (const auto k : order) {
+  for (std::size_t k = 0; k < grains.size(); ++k) {
     if (!in_heap[k]) continue;
     n += 1.0;
     x += grains.line[k].position[0];
@@ -55,7 +54,7 @@ std::optional<double> moments_angle(const Grains<D>& grains, const std::vector<b
   }
   if (n == 0.0) return std::nullopt;
   double spread = 0.0;
-  for (const auto k : order) {
+  for (std::size_t k = 0; k < grains.size(); ++k) {
     if (in_heap[k]) spread += std::fabs(grains.line[k].position[0] - x / n);
   }
   if (spread == 0.0) return std::nullopt;

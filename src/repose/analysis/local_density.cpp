@@ -37,10 +37,10 @@ Grains<2> surroundings(const Discs& discs, const Slab& slab) {
 
 LocalDensity local_density(const Discs& discs, const Slab& slab, std::size_t bins) {
   LocalDensity result;
-  const Grains<2> grains = surroundings(discs, slab);
+  const OrderedGrains<2> grains{surroundings(discs, slab), slab.box};
   std::vector<bool> wanted(grains.size());
   for (std::size_t k = 0; k < grains.size(); ++k) {
-    const auto disc = static_cast<std::size_t>(grains.id[k]);
+    const auto disc = static_cast<std::size_t>(grains->id[k]);
     wanted[k] = !discs.base[disc] && slab.holds(discs.position[disc]);
   }
   std::vector<FlatWall> walls;
@@ -57,11 +57,11 @@ LocalDensity local_density(const Discs& discs, const Slab& slab, std::size_t bin
     const auto cells = voronoi(grains, wanted, walls, slab.box, cut_off);
     std::size_t k = 0;
     for (const auto& cell : cells) {
-      while (grains.id[k] != cell.id) ++k;
+      while (grains->id[k] != cell.id) ++k;
       if (!cell.closed || !(cell.area > 0.0)) continue;
       wanted[k] = false;
       densities.push_back(cell.solid_fraction);
-      disc_area += std::numbers::pi * squared(grains.line[k].radius);
+      disc_area += std::numbers::pi * squared(grains->line[k].radius);
       cell_area += cell.area;
     }
     if (std::find(wanted.begin(), wanted.end(), true) == wanted.end()) break;

@@ -70,7 +70,7 @@ double deepest_overlap(const Discs& discs, const Box<2>& box, const ContactGraph
       if (j > i) break;
       const double reach = discs.radius[i] + discs.radius[j];
       const double distance = magnitude(separation(discs.position[i], discs.position[j], box));
-      deepest = std::max(deepest, 2.0 * (reach - distance) / reach);
+      deepest = std::max(deepest, (reach - distance) / reach);
     }
   }
   return deepest;

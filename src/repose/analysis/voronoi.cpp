@@ -30,21 +30,21 @@ constexpr int neighbour_side = 1;
 
 bool at_cut_off(int face) { return (face < 0 && face >= last_starting_side) || face == cut_off_side; }
 
-/// The grains that have or bound cells, by ascending id.
+/// The grains that have or bound cells, in their order.
 struct Sites {
-  std::vector<std::uint32_t> grain;  // index in memory
-  std::vector<Vec<2>> position;      // [L] wrapped
-  double largest = 0.0;              // [L] largest radius
-  double largest_with_cell = 0.0;    // [L] largest radius of a grain with a cell
+  std::vector<std::size_t> grain;  // index in memory
+  std::vector<Vec<2>> position;    // [L]
+  double largest = 0.0;            // [L] largest radius
+  double largest_with_cell = 0.0;  // [L] largest radius of a grain with a cell
 };
 
-Sites find_sites(const Grains<2>& grains, const std::vector<bool>& in_heap, const Box<2>& box) {
+Sites find_sites(const Grains<2>& grains, const std::vector<bool>& in_heap) {
   Sites sites;
-  for (const auto k : by_id(grains)) {
+  for (std::size_t k = 0; k < grains.size(); ++k) {
     const auto& grain = grains.line[k];
     if (!in_heap[k] && !grain.fixed()) continue;
     sites.grain.push_back(k);
-    sites.position.push_back(box.wrapped(grain.position));
+    sites.position.push_back(grain.position);
     sites.largest = std::max(sites.largest, grain.radius);
     if (in_heap[k]) sites.largest_with_cell = std::max(sites.largest_with_cell, grain.radius);
   }
@@ -200,11 +200,12 @@ class Polygon {
 
 }  // namespace
 
-std::vector<VoronoiCell> voronoi(const Grains<2>& grains, const std::vector<bool>& in_heap,
+std::vector<VoronoiCell> voronoi(const OrderedGrains<2>& ordered, const std::vector<bool>& in_heap,
                                  const std::vector<FlatWall>& walls, const Box<2>& box, double cut_off) {
+  const auto& grains = *ordered;
   REPOSE_ASSERT(in_heap.size() == grains.size());
   std::vector<VoronoiCell> cells;
-  const Sites sites = find_sites(grains, in_heap, box);
+  const Sites sites = find_sites(grains, in_heap);
   if (!(sites.largest_with_cell > 0.0)) return cells;
   const double unit = 2.0 * sites.largest_with_cell;  // keeps the absolute tolerance of voro++ small
   Surroundings surroundings(grains, sites, box, unit, cut_off);

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/core/box.hpp"
-#include "repose/core/grains.hpp"
+#include "repose/core/ordered_grains.hpp"
 #include "repose/core/vec.hpp"
 
 #include <cstdint>
@@ -23,7 +22,7 @@ struct VoronoiCell {
   double area = 0.0;             ///< [L^2]
   double solid_fraction = 0.0;   ///< area of the disc divided by that of its cell; NaN for an empty cell
   bool closed = false;           ///< whether it ends at neighbours or walls on all sides, and nowhere at the cut-off
-  std::vector<Vec<2>> vertices;  ///< [L] counter-clockwise, around the grain's position as stored (not wrapped)
+  std::vector<Vec<2>> vertices;  ///< [L] counter-clockwise, around the grain's position
 };
 
 /// Radical Voronoi cells (power diagram: a point x belongs to the disc with the least |x - centre|^2 - radius^2) of the
@@ -33,7 +32,7 @@ struct VoronoiCell {
 /// diameter in the heap. A disc buried in others may have an empty cell: area 0, no vertices. Areas are accurate to
 /// about 1e-11 largest diameters squared, from the tolerance of voro++ for a vertex on a plane. Cost: nearly linear in
 /// the number of grains. Source: Voro++ (Rycroft, Chaos 19, 041111, 2009). Validated by tests/unit/voronoi_test.cpp.
-std::vector<VoronoiCell> voronoi(const Grains<2>& grains, const std::vector<bool>& in_heap,
+std::vector<VoronoiCell> voronoi(const OrderedGrains<2>& grains, const std::vector<bool>& in_heap,
                                  const std::vector<FlatWall>& walls, const Box<2>& box, double cut_off = 1.5);
 
 }  // namespace repose

@@ -105,16 +105,16 @@ std::vector<Grain> Simulation::grains() const {
   std::vector<Grain> grains;
   grains.reserve(record.grains.size());
   for (std::size_t k = 0; k < record.grains.size(); ++k) {
-    const auto& line = record.grains.line[k];
-    grains.push_back({record.grains.id[k],
+    const auto& line = record.grains->line[k];
+    grains.push_back({record.grains->id[k],
                       {line.position[0], line.position[1]},
                       {line.velocity[0], line.velocity[1]},
                       line.rim_velocity / line.radius,
                       line.radius,
                       line.mass,
-                      record.grains.material[k],
+                      record.grains->material[k],
                       line.fixed(),
-                      record.grains.base[k] != 0});
+                      record.grains->base[k] != 0});
   }
   return grains;
 }

@@ -144,7 +144,7 @@ std::string describe_result(const Record& record, const Results& results) {
   std::string text = fmt::format(
       "stopped          {} (time {:.6g}, {} steps, {:.1f} s, {:.3g} grain-steps per second)\n", facts.message,
       facts.time, facts.steps, facts.wall_seconds, facts.grain_steps / std::max(facts.wall_seconds, 1e-9));
-  text += fmt::format("grains           {} present, {} lost\n", moving_count(record.grains), facts.lost);
+  text += fmt::format("grains           {} present, {} lost\n", moving_count(*record.grains), facts.lost);
   text += describe_solver(record);
   if (results.packing) text += describe_packing(*results.packing);
   if (!results.packing_problem.empty())

@@ -1,9 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repose/scene/reference.hpp"
+#include "repose/record/reference.hpp"
 
 #include "repose/cli/commands.hpp"
+#include "repose/contact_problem/contact_problem_groups.hpp"
 #include "repose/core/errors.hpp"
+#include "repose/results/reference.hpp"
+#include "repose/scene/reference.hpp"
+#include "repose/sweep/groups.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -22,6 +26,11 @@ struct Page {
 };
 constexpr Page pages[] = {
     {"scene", scene_reference},
+    {"run-folder", [] { return markdown_of(run_folder_reference()); }},
+    {"summary", [] { return markdown_of(summary_reference()); }},
+    {"analysis", [] { return markdown_of(analysis_reference()); }},
+    {"contact-problem", [] { return markdown_of(contact_problem_reference()); }},
+    {"sweep", [] { return markdown_of(sweep_reference()); }},
 };
 
 int act(const std::string& name) {
@@ -40,8 +49,7 @@ int act(const std::string& name) {
 Command add_reference(CLI::App& app) {
   auto page = std::make_shared<std::string>();
   auto* command = app.add_subcommand(
-      "reference",
-      "Print the tables of a reference page as Markdown, from the lists that files are read and written by");
+      "reference", "Print the tables of a reference page as Markdown, from the lists that files are written by");
   command->add_option("PAGE", *page, "Name of a page (default: list the pages)");
   return {command, [page] { return act(*page); }};
 }

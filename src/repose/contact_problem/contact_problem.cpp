@@ -3,7 +3,6 @@
 #include "repose/contact_problem/contact_problem.hpp"
 
 #include "repose/core/errors.hpp"
-#include "repose/scene/geometry.hpp"
 #include "repose/simulation/methods.hpp"
 
 #include <fmt/format.h>
@@ -16,15 +15,14 @@ namespace {
 
 void check(const Record& record) {
   const auto& scene = record.scene;
-  const auto walls = make_walls(scene);
   std::vector<std::string> problems;
   const auto refuse = [&](const std::string& why) { problems.push_back("no contact problem: " + why); };
   if (scene.method->solver() == nullptr) {
     refuse(fmt::format("the method of the run is {}, and only contact-dynamics has one", scene.method->name()));
   }
   if (record.facts.status == Status::failed) refuse("the run failed: its last state is not to be trusted");
-  if (std::any_of(walls.begin(), walls.end(),
-                  [](const auto& w) { return w.motion.kind != WallMotion<2>::Kind::none; })) {
+  if (std::any_of(record.walls.begin(), record.walls.end(),
+                  [](const auto& w) { return w.wall.motion.kind != WallMotion<2>::Kind::none; })) {
     refuse("a wall moves; the file is for walls that stand still");
   }
   if (!scene.loads.empty()) refuse("the scene has loads, which the file does not hold");
@@ -33,10 +31,10 @@ void check(const Record& record) {
 
 }  // namespace
 
-ContactProblem next_contact_problem(Record record) {
+ContactProblem next_contact_problem(const Record& record) {
   check(record);
   const auto method = make_method(record.scene);
-  auto& grains = record.grains;
+  auto grains = *record.grains;
   Team team(1);
   method->refresh(grains, team);
   method->set_histories(grains, record.contacts);
@@ -51,9 +49,8 @@ ContactProblem next_contact_problem(Record record) {
   for (std::size_t k = 0; k < grains.size(); ++k) {
     posed.places.push_back({grains.id[k], grains.line[k].radius, grains.line[k].position});
   }
-  const auto walls = make_walls(record.scene);
-  for (std::size_t w = 0; w < walls.size(); ++w) {
-    posed.places.push_back({wall_partner(static_cast<std::int64_t>(w)), 0.0, walls[w].point});
+  for (std::size_t w = 0; w < record.walls.size(); ++w) {
+    posed.places.push_back({wall_partner(static_cast<std::int64_t>(w)), 0.0, record.walls[w].wall.point});
   }
   return posed;
 }

@@ -29,7 +29,7 @@ struct ContactProblem {
 
 /// The problem of the step that would follow on the last state of a run, from the impulses of the step before. Throws
 /// InputError for a run that has none, or whose walls move or grains bear loads.
-ContactProblem next_contact_problem(Record record);
+ContactProblem next_contact_problem(const Record& record);
 
 /// Throws RunError.
 void write_contact_problem(const std::string& path, const ContactProblem& problem);

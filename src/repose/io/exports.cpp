@@ -8,10 +8,6 @@ namespace repose {
 
 namespace {
 
-std::size_t place_of(const Grains<2>& grains, std::int64_t id) {
-  return static_cast<std::size_t>(std::lower_bound(grains.id.begin(), grains.id.end(), id) - grains.id.begin());
-}
-
 /// The bounds of a snapshot: in x those of a periodic box, otherwise those of the grains.
 struct Bounds2 {
   double low[2];
@@ -39,7 +35,7 @@ Bounds2 bounds_of(const Grains<2>& grains, const Box<2>& box) {
 // All numbers are printed with the fewest digits that read back as the same bits.
 
 void print_header(WholeFile& file, const Moment& moment, const Box<2>& box, const char* what, std::size_t count) {
-  const auto bounds = bounds_of(moment.grains, box);
+  const auto bounds = bounds_of(*moment.grains, box);
   file.print(
       "ITEM: TIMESTEP\n{}\nITEM: TIME\n{}\nITEM: NUMBER OF {}\n{}\nITEM: BOX BOUNDS {} ff pp\n{} {}\n{} {}\n-0.5 0.5\n",
       moment.step, moment.time, what, count, box.periodic ? "pp" : "ff", bounds.low[0], bounds.high[0], bounds.low[1],
@@ -49,13 +45,13 @@ void print_header(WholeFile& file, const Moment& moment, const Box<2>& box, cons
 }  // namespace
 
 VtkPolyData grains_for_vtk(const Moment& moment) {
-  const auto& grains = moment.grains;
+  const auto& grains = *moment.grains;
   VtkPolyData data;
   std::vector<std::int64_t> coordination(grains.size(), 0);
   for (const auto& contact : moment.contacts.list) {
     if (!(contact.normal_force > 0.0)) continue;
-    ++coordination[place_of(grains, contact.first)];
-    if (contact.second >= 0) ++coordination[place_of(grains, contact.second)];
+    ++coordination[moment.grains.find(contact.first).value()];
+    if (contact.second >= 0) ++coordination[moment.grains.find(contact.second).value()];
   }
   std::vector<double> radius, diameter, mass, velocity, spin, energy;
   std::vector<std::int64_t> material;
@@ -89,10 +85,10 @@ VtkPolyData contacts_for_vtk(const Moment& moment, const Box<2>& box) {
   std::vector<std::int64_t> partners;
   std::vector<std::uint8_t> sliding;
   for (const auto& contact : moment.contacts.list) {
-    const auto& first = moment.grains.line[place_of(moment.grains, contact.first)];
+    const auto& first = moment.grains->line[moment.grains.find(contact.first).value()];
     Vec<2> end = first.position - contact.normal * first.radius;
     if (contact.second >= 0) {
-      const auto& second = moment.grains.line[place_of(moment.grains, contact.second)];
+      const auto& second = moment.grains->line[moment.grains.find(contact.second).value()];
       end = first.position - separation(first.position, second.position, box);
     }
     const auto point = static_cast<std::int64_t>(data.points.size() / 3);
@@ -113,7 +109,7 @@ VtkPolyData contacts_for_vtk(const Moment& moment, const Box<2>& box) {
 }
 
 void add_grains_for_lammps(WholeFile& file, const Moment& moment, const Box<2>& box) {
-  const auto& grains = moment.grains;
+  const auto& grains = *moment.grains;
   print_header(file, moment, box, "ATOMS", grains.size());
   file.print("ITEM: ATOMS id type x y z vx vy vz omegaz radius mass fixed base\n");
   for (std::size_t k = 0; k < grains.size(); ++k) {

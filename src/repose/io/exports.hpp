@@ -4,7 +4,7 @@
 
 #include "repose/core/box.hpp"
 #include "repose/core/contacts.hpp"
-#include "repose/core/grains.hpp"
+#include "repose/core/ordered_grains.hpp"
 #include "repose/io/vtk_file.hpp"
 #include "repose/io/whole_file.hpp"
 
@@ -12,11 +12,11 @@
 
 namespace repose {
 
-/// The grains (by ascending id) and contacts at one time.
+/// The grains and contacts at one time. Contacts name grains that exist.
 struct Moment {
   double time = 0.0;  ///< [T]
   std::int64_t step = 0;
-  Grains<2> grains;
+  OrderedGrains<2> grains;
   Contacts<2> contacts;
 };
 

@@ -55,6 +55,7 @@ Hdf5File::~Hdf5File() {
 void Hdf5File::fail() const { throw RunError(fmt::format("{}: cannot write: {}", path_, hdf5_reason())); }
 
 void Hdf5File::group(const std::string& name) {
+  if (H5Lexists(file_, name.c_str(), H5P_DEFAULT) > 0) return;
   const Handle group(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   if (group.failed()) fail();
 }

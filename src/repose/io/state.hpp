@@ -3,36 +3,48 @@
 #pragma once
 
 #include "repose/core/contacts.hpp"
-#include "repose/core/grains.hpp"
+#include "repose/core/ordered_grains.hpp"
+#include "repose/io/columns.hpp"
 #include "repose/io/hdf5_file.hpp"
 #include "repose/io/hdf5_reader.hpp"
 
+#include <cstdint>
 #include <string>
 
 namespace repose {
 
-/// Writes the group `grains` in order of id. Layout: docs/reference/run-folder.md.
+/// A grain as files have it.
 template <int D>
-void write_grains(Hdf5File& file, const Grains<D>& grains);
+struct GrainState {
+  std::int64_t id = 0;
+  Vec<D> position{};
+  Vec<D> velocity{};
+  Spin<D> spin{};
+  double radius = 0.0;
+  double mass = 0.0;
+  bool fixed = false;
+  bool base = false;
+  std::uint16_t material = 0;
+};
 
-/// Writes the group `contacts`.
+/// The datasets of the groups `grains` and `contacts`.
+template <int D>
+const Columns<std::vector<GrainState<D>>>& grain_state_columns();
+template <int D>
+const Columns<std::vector<Contact<D>>>& contact_columns();
+
+template <int D>
+void write_grains(Hdf5File& file, const OrderedGrains<D>& grains);
 template <int D>
 void write_contacts(Hdf5File& file, const Contacts<D>& contacts);
 
-/// XXH3-128 of the exact bits of the motion and the contacts, in their order in `grains` and `contacts` (D = 2).
-std::string state_hash(const Grains<2>& grains, const Contacts<2>& contacts);
-
-/// The grains of a file, in order of id (D = 2). Throws InputError where the group is not as write_grains makes it.
+/// The grains of a file in its order. Throws InputError where the group is not as write_grains makes it.
 template <int D>
 Grains<D> read_grains(const Hdf5Reader& file);
-
-/// The contacts of a file, as write_contacts wrote them (D = 2).
 template <int D>
 Contacts<D> read_contacts(const Hdf5Reader& file);
 
-template <>
-Grains<2> read_grains(const Hdf5Reader& file);
-template <>
-Contacts<2> read_contacts(const Hdf5Reader& file);
+/// XXH3-128 of the exact bits of the motion and the contacts, in their order in `grains` and `contacts` (D = 2).
+std::string state_hash(const Grains<2>& grains, const Contacts<2>& contacts);
 
 }  // namespace repose

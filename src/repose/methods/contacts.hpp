@@ -40,7 +40,7 @@ Contact<D> contact_with_wall(const Grains<D>& grains, std::size_t grain, const s
   const auto place = above(walls[wall], from_point);
   Contact<D> contact;
   contact.first = grains.id[grain];
-  contact.second = plane_partner(static_cast<std::int64_t>(wall));
+  contact.second = wall_partner(static_cast<std::int64_t>(wall));
   contact.normal = place.normal;
   contact.overlap = (walls[wall].smooth ? 2.0 : 1.0) * a.radius - place.height;
   contact.relative_overlap = contact.overlap / (2.0 * a.radius);

@@ -5,9 +5,10 @@
 #include "repose/analysis/base_profile.hpp"
 #include "repose/core/contacts.hpp"
 #include "repose/core/energy.hpp"
-#include "repose/core/grains.hpp"
+#include "repose/core/ordered_grains.hpp"
 #include "repose/core/solver_account.hpp"
 #include "repose/core/track.hpp"
+#include "repose/record/recorded_wall.hpp"
 #include "repose/scene/scene.hpp"
 
 #include <cstdint>
@@ -54,17 +55,19 @@ struct RunFacts {
   std::int64_t released = 0;
   std::int64_t lost = 0;
   std::string state_hash;      ///< of the exact state, see io/state.hpp
-  double support_force = 0.0;  ///< [M L/T^2] downward force on fixed grains (mean over the window) and planes (now)
+  double support_force = 0.0;  ///< [M L/T^2] downward force on fixed grains (mean over the window) and walls (now)
 };
 
 /// What a run leaves behind: all that the analysis knows of it, in memory or read back from a run folder.
 struct Record {
   Scene scene;
   RunFacts facts;
-  Grains<2> grains;  ///< by ascending id, positions brought into the periodic box
+  Box<2> box;
+  std::vector<RecordedWall> walls;  ///< as they stand, by number
+  OrderedGrains<2> grains;
   Contacts<2> contacts;
   std::vector<SeriesRow> series;
-  std::vector<WallRow> walls;  ///< of each row of the series and each wall
+  std::vector<WallRow> wall_series;  ///< for each row of the series, a row for each wall
   BaseProfile base;
   Track track;
 };

@@ -15,12 +15,6 @@ namespace repose {
 void write_record(const std::string& path, const Record& record, const std::vector<std::string>& frames,
                   const std::vector<std::string>& segments);
 
-/// Writes a segment of the track: the moments from `first` on. Throws RunError.
-void write_track_segment(const std::string& path, const Track& track, std::size_t first);
-
-/// Adds the moments of a segment to a track. Throws InputError.
-void read_track_segment(const std::string& path, Track& track);
-
 /// The header of a run.h5: how far the run came. Throws InputError.
 RunFacts read_run_facts(const std::string& folder);
 
@@ -32,6 +26,11 @@ Record read_last_state(const std::string& folder);
 
 /// Reads scene.toml and run.h5 of a run folder. Throws InputError if there is none or it is damaged.
 Record read_record(const std::string& folder);
+
+/// A damaged file may name grains or walls that do not exist. Throws InputError then; readers of contacts call this,
+/// and nothing behind them checks again.
+void check_partners(const std::string& path, const OrderedGrains<2>& grains, const Contacts<2>& contacts,
+                    std::size_t walls);
 
 /// The base profile of a run.h5; empty where there is none. Throws InputError.
 BaseProfile read_base(const Hdf5Reader& file);

@@ -3,7 +3,7 @@
 #include "repose/results/results.hpp"
 
 #include "repose/analysis/sticking_rule.hpp"
-#include "repose/scene/geometry.hpp"
+#include "repose/results/measure.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -15,9 +15,11 @@ namespace {
 /// The core begins this far above the base centres: the base orders the layers below.
 constexpr double core_above_base = 2.0;  // diameters
 
-std::vector<FlatWall> flat_walls(const Scene& scene) {
+std::vector<FlatWall> standing_walls(const Record& record) {
   std::vector<FlatWall> walls;
-  for (const auto& wall : make_walls(scene)) walls.push_back({wall.point, wall.normal});
+  for (const auto& recorded : record.walls) {
+    if (!recorded.open) walls.push_back({recorded.wall.point, recorded.wall.normal});
+  }
   return walls;
 }
 
@@ -40,7 +42,7 @@ PackingOptions packing_options(const Scene& scene) {
   options.correlations = analysis.correlations;
   options.structure = analysis.structure_factor;
   options.local_density = analysis.local_density;
-  if (scene.method->traits().follows_time) return options;
+  if (!has(scene, Needs::deposition)) return options;
   options.slab.base_height = 0.0;
   // Base discs lie on the floor too, and are neighbours already.
   options.walls.floor = -0.5 * scene.grains.diameter;
@@ -53,8 +55,8 @@ PackingOptions packing_options(const Scene& scene) {
 
 void measure_packing(const Record& record, Results& results) {
   const auto& scene = record.scene;
-  const auto box = make_box(scene);
-  const auto discs = discs_of(record.grains, box);
+  const auto& box = record.box;
+  const auto discs = discs_of(record.grains);
   const auto options = packing_options(scene);
   auto result = analyse_packing(discs, box, options);
   results.packing = std::move(result.packing);
@@ -71,21 +73,35 @@ void measure_packing(const Record& record, Results& results) {
   results.breaking_rule = std::count(breaks.begin(), breaks.end(), 1);
 }
 
-/// Of grains that were put there by geometry: there are no forces to speak of.
+/// The network of a packing whose contacts carry no forces: all of them count.
+ForceNetwork network_of(const Packing& packing) {
+  ForceNetwork network;
+  network.contacts = packing.contacts;
+  network.coordination = packing.coordination.mean.mean;
+  network.connectivity = packing.coordination.connectivity;
+  if (packing.fabric) {
+    network.anisotropy = packing.fabric->all.anisotropy.mean;
+    network.direction_deg = packing.fabric->folded.direction_deg.mean;
+  }
+  return network;
+}
+
+/// A record without forces: the packing is all there is to measure.
 Results analyse_packing_alone(const Record& record) {
   Results results;
-  measure_packing(record, results);
+  if (*record.scene.analysis.packing) measure_packing(record, results);
+  if (results.packing) results.network = network_of(*results.packing);
   return results;
 }
 
 }  // namespace
 
 Results analyse(const Record& record) {
-  if (!record.scene.method->traits().has_forces()) return analyse_packing_alone(record);
+  if (!has(record.scene, Needs::forces)) return analyse_packing_alone(record);
   const auto& scene = record.scene;
-  const auto& grains = record.grains;
+  const auto& grains = *record.grains;
   const auto& contacts = record.contacts;
-  const auto box = make_box(scene);
+  const auto& box = record.box;
   const double threshold = scene.analysis.force_threshold * scene.grain_weight();
   Results results;
   const auto in_heap = supported(grains, contacts);
@@ -102,12 +118,12 @@ Results analyse(const Record& record) {
   const double weight = mass * scene.gravity;
   if (weight > 0.0) results.weight_error = record.facts.support_force / weight - 1.0;
 
-  results.cells = voronoi(grains, in_heap, flat_walls(scene), box);
+  results.cells = voronoi(record.grains, in_heap, standing_walls(record), box);
   results.core = measure_core(grains, contacts, results.heap, results.cells, results.base_height,
                               scene.analysis.core_depth, core_above_base * scene.grains.diameter, threshold);
   results.forces = measure_force_statistics(contacts, threshold);
   results.chains = find_chains(grains, contacts, threshold, box);
-  results.fields = coarse_grained(grains, contacts, in_heap, box, scene.analysis.field_width);
+  results.fields = coarse_grained(record.grains, contacts, in_heap, box, scene.analysis.field_width);
   if (mass > 0.0 && !results.fields.density.empty()) {
     double sum = 0.0;
     for (const double density : results.fields.density) sum += density;

@@ -8,6 +8,7 @@
 #include "repose/io/hdf5_archive.hpp"
 #include "repose/io/seal.hpp"
 #include "repose/record/record_file.hpp"
+#include "repose/record/track_file.hpp"
 #include "repose/scene/write.hpp"
 
 #include <fmt/format.h>

@@ -10,7 +10,6 @@
 #include "repose/io/state.hpp"
 #include "repose/record/record_file.hpp"
 #include "repose/run_folder/checkpoint.hpp"
-#include "repose/scene/geometry.hpp"
 
 #include <fmt/format.h>
 
@@ -43,47 +42,37 @@ std::vector<std::string> frame_files(const ExportOrder& order) {
   return files;
 }
 
-Moment read_frame(const std::string& path) {
+Moment read_frame(const std::string& path, const Record& last) {
   const Hdf5Reader file(path);
-  return {file.number("/", "time"), file.integer("/", "steps"), read_grains<2>(file), read_contacts<2>(file)};
-}
-
-/// Exports look up the grains that contacts name without a check of their own.
-void check_moment(const std::string& path, const Moment& moment) {
-  const auto& id = moment.grains.id;
-  const auto known = [&](std::int64_t k) { return std::binary_search(id.begin(), id.end(), k); };
-  const bool sound = std::is_sorted(id.begin(), id.end(), std::less_equal<>()) &&
-                     std::all_of(moment.contacts.list.begin(), moment.contacts.list.end(), [&](const auto& contact) {
-                       return known(contact.first) && (contact.second < 0 || known(contact.second));
-                     });
-  if (!sound) throw InputError(fmt::format("{}: contacts: names a grain that does not exist", path));
+  Moment moment{
+      file.number("/", "time"), file.integer("/", "steps"), {read_grains<2>(file), last.box}, read_contacts<2>(file)};
+  check_partners(path, moment.grains, moment.contacts, last.walls.size());
+  return moment;
 }
 
 using Use = std::function<void(const Moment&, std::size_t number)>;
 
 /// Goes through the saved frames, in order, and the last state, one at a time; returns how many these are.
-std::size_t for_every_moment(const ExportOrder& order, Record last, const Use& use) {
+std::size_t for_every_moment(const ExportOrder& order, const Record& last, const Use& use) {
   std::size_t number = 0;
   for (const auto& path : frame_files(order)) {
-    const auto moment = read_frame(path);
+    const auto moment = read_frame(path, last);
     if (moment.step >= last.facts.steps) break;  // the last state itself
-    check_moment(path, moment);
     use(moment, number++);
   }
-  use({last.facts.time, last.facts.steps, std::move(last.grains), std::move(last.contacts)}, number);
+  use({last.facts.time, last.facts.steps, last.grains, last.contacts}, number);
   return number + 1;
 }
 
 void export_vtk(const ExportOrder& order, const std::string& folder, Exported& done) {
-  auto last = read_last_state(order.folder);
-  const auto box = make_box(last.scene);
+  const auto last = read_last_state(order.folder);
   std::vector<std::pair<double, std::string>> grains;
   std::vector<std::pair<double, std::string>> contacts;
-  done.moments = for_every_moment(order, std::move(last), [&](const Moment& moment, std::size_t number) {
+  done.moments = for_every_moment(order, last, [&](const Moment& moment, std::size_t number) {
     grains.emplace_back(moment.time, fmt::format("grains_{}.vtp", numbered(number)));
     contacts.emplace_back(moment.time, fmt::format("contacts_{}.vtp", numbered(number)));
     write_vtp(folder + "/" + grains.back().second, grains_for_vtk(moment));
-    write_vtp(folder + "/" + contacts.back().second, contacts_for_vtk(moment, box));
+    write_vtp(folder + "/" + contacts.back().second, contacts_for_vtk(moment, last.box));
   });
   write_pvd(folder + "/grains.pvd", grains);
   write_pvd(folder + "/contacts.pvd", contacts);
@@ -91,13 +80,12 @@ void export_vtk(const ExportOrder& order, const std::string& folder, Exported& d
 }
 
 void export_ovito(const ExportOrder& order, const std::string& folder, Exported& done) {
-  auto last = read_last_state(order.folder);
-  const auto box = make_box(last.scene);
+  const auto last = read_last_state(order.folder);
   WholeFile grains(folder + "/grains.dump");
   WholeFile contacts(folder + "/contacts.dump");
-  done.moments = for_every_moment(order, std::move(last), [&](const Moment& moment, std::size_t) {
-    add_grains_for_lammps(grains, moment, box);
-    add_contacts_for_lammps(contacts, moment, box);
+  done.moments = for_every_moment(order, last, [&](const Moment& moment, std::size_t) {
+    add_grains_for_lammps(grains, moment, last.box);
+    add_contacts_for_lammps(contacts, moment, last.box);
   });
   grains.commit();
   contacts.commit();

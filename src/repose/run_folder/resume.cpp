@@ -61,7 +61,7 @@ InterruptedRun find_interrupted(const std::string& folder) {
   const auto path = folder + "/scene.toml";
   if (text_of_file(path) != (run.checkpoint ? run.checkpoint->scene() : read_run_scene(folder))) {
     throw InputError(
-        fmt::format("{}: is not the scene of this run, which only goes on as it began (/scene of run.h5 and "
+        fmt::format("{}: is not the scene of this run, which resumes only as it began (/scene of run.h5 and "
                     "of the checkpoints has it)",
                     path));
   }

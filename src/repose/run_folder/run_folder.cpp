@@ -7,6 +7,7 @@
 #include "repose/io/hdf5_file.hpp"
 #include "repose/io/state.hpp"
 #include "repose/record/record_file.hpp"
+#include "repose/record/track_file.hpp"
 #include "repose/results/analysis_file.hpp"
 #include "repose/results/summary.hpp"
 #include "repose/scene/write.hpp"

@@ -46,6 +46,11 @@ std::vector<std::string> wall_names(const Scene& scene) {
   return names;
 }
 
+std::string partner_name(const Scene& scene, std::int64_t partner) {
+  if (partner >= 0) return "grain " + std::to_string(partner);
+  return "wall " + wall_names(scene).at(static_cast<std::size_t>(-1 - partner));
+}
+
 Box<2> make_box(const Scene& scene) {
   Box<2> box;
   box.periodic = scene.box.periodic();

@@ -69,7 +69,7 @@ void force_keys(Scene& scene, Parameters& keys) {
 void packing_keys(Scene& scene, Parameters& keys) {
   auto& analysis = scene.analysis;
   const auto traits = scene.method->traits();
-  if (traits.has_forces()) {
+  if (traits.follows_time) {
     keys.flag("analysis.packing", analysis.packing, {scene.box.periodic(), "true in a periodic box"},
               "measure the packing in a slab: solid fraction, contacts, fabric");
   } else {

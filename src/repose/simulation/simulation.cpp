@@ -94,8 +94,9 @@ void Simulation::begin() {
 
 void Simulation::take_batch(double end) {
   const double before = time();
-  const auto report = method_->advance(grains_, next_due(end), team_);
-  REPOSE_ASSERT(report.steps > 0 || time() > before || report.trouble || method_->complete());
+  const double next = next_due(end);  // now, if an observer has thrown before sources and loads had their turn
+  const auto report = method_->advance(grains_, next, team_);
+  REPOSE_ASSERT(next <= before || report.steps > 0 || time() > before || report.trouble || method_->complete());
   contacts_.reset();
   taken_ += report.steps;
   grain_steps_ += static_cast<double>(report.steps) * method_->grains_per_step(moving_);
@@ -103,7 +104,7 @@ void Simulation::take_batch(double end) {
   const bool out_of_time = time() >= end_;
   const bool complete = method_->complete();
   const bool row = row_times_.after(before) <= time();
-  const bool extra_row = !row && (out_of_time || complete);
+  const bool extra_row = !row && (out_of_time || complete) && (series().empty() || series().back().time < time());
   if (row || extra_row) add_row();
   observe(before, extra_row);
   if (status_ == Status::running && complete) stop(Status::finished, "all grains are there");
@@ -244,13 +245,12 @@ Record Simulation::record() const {
   facts.released = released();
   facts.lost = lost();
   facts.support_force = base_forces_.force_on_supports(record.contacts);
-  record.grains = grains_;
-  if (!std::is_sorted(grains_.id.begin(), grains_.id.end())) record.grains.reorder(by_id(grains_));
-  const auto box = make_box(scene_);
-  for (auto& grain : record.grains.line) grain.position = box.wrapped(grain.position);
-  facts.state_hash = state_hash(record.grains, record.contacts);
+  record.box = make_box(scene_);
+  record.walls = recorded_walls(scene_, method_->walls(), time());
+  record.grains = OrderedGrains<2>(grains_, record.box);
+  facts.state_hash = state_hash(*record.grains, record.contacts);
   record.series = series_.rows();
-  record.walls = series_.walls();
+  record.wall_series = series_.walls();
   record.base = base_forces_.profile(grains_, scene_.grain_weight());
   record.track = track_.track();
   return record;

@@ -51,7 +51,8 @@ class Simulation {
   void add(std::unique_ptr<Observer> observer);
 
   /// Calls a function every `interval` of simulated time [T], > 0, in whole steps where the method's are equal. It sees
-  /// the state before the source adds to it. Throws InputError.
+  /// the state before the source adds to it. What it throws ends the advance; the next one continues the run as if it
+  /// had not. Throws InputError.
   void observe_every(double interval, RegularObserver::Use use);
 
   /// All that changes in a run but the track, for a checkpoint; a simulation of the same scene can be given it.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/simulation/trouble.hpp"
 
+#include "repose/scene/geometry.hpp"
 #include "repose/simulation/simulation.hpp"
 
 #include <fmt/format.h>
@@ -30,8 +31,8 @@ std::string describe_trouble(const Simulation& simulation) {
   }
   for (const auto& contact : simulation.contacts().list) {
     if (contact.relative_overlap <= largest_overlap) continue;
-    found.push_back(fmt::format("grains {} and {} overlap by {:.2g} diameters", contact.first, contact.second,
-                                contact.relative_overlap));
+    found.push_back(fmt::format("grain {} and {} overlap by {:.2g} diameters", contact.first,
+                                partner_name(simulation.scene(), contact.second), contact.relative_overlap));
   }
   constexpr std::size_t most = 8;
   std::string text = fmt::format("the grains cannot be followed beyond time {:.6g} (step {}): ", simulation.time(),

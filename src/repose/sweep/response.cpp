@@ -39,8 +39,8 @@ Vec<2> loaded_place(const Record& record, const Scene::Load& load) {
   Vec<2> nearest{{none, none}};
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < record.grains.size(); ++k) {
-    const auto& grain = record.grains.line[k];
-    if (load.grain >= 0 ? record.grains.id[k] != load.grain : grain.fixed()) continue;
+    const auto& grain = record.grains->line[k];
+    if (load.grain >= 0 ? record.grains->id[k] != load.grain : grain.fixed()) continue;
     const double dx = along(grain.position[0], load.position[0], width);
     const double dy = grain.position[1] - load.position[1];
     const double square = load.grain >= 0 ? 0.0 : dx * dx + dy * dy;

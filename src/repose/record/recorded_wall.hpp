@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/boundaries/wall.hpp"
+#include "repose/scene/scene.hpp"
+
+#include <string>
+#include <vector>
+
+namespace repose {
+
+/// A wall as it stands at the time of a record. Its place in the list is its number, which contacts name, so walls that
+/// have opened stay in the list.
+struct RecordedWall {
+  std::string name;
+  Vec<2> start{};     ///< [L] point of the wall at the start of the run
+  Wall<2> wall;       ///< with its point where it is at that time
+  bool open = false;  ///< grains pass through it
+};
+
+/// The walls of a scene at some time. `states` has an entry for each, or none where all stand still.
+std::vector<RecordedWall> recorded_walls(const Scene& scene, const std::vector<WallState>& states, double time);
+
+}  // namespace repose

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/record/reference.hpp"
+
+#include "repose/io/state.hpp"
+#include "repose/record/record_groups.hpp"
+#include "repose/record/track_file.hpp"
+
+namespace repose {
+
+namespace {
+
+template <class From>
+ReferenceTable with_paths(const Group<From>& group) {
+  return reference_of(group.name, "/" + group.name + "/", group.rows, group.columns);
+}
+
+ReferenceTable track_table() {
+  auto table = reference_of("track", "", "M", track_moment_columns());
+  const auto grains = reference_of("track", "", "rows", track_grain_columns());
+  table.rows.insert(table.rows.end(), grains.rows.begin(), grains.rows.end());
+  return table;
+}
+
+}  // namespace
+
+std::vector<ReferenceTable> run_folder_reference() {
+  return {
+      reference_of("run.h5", run_attributes()),
+      reference_of("grains", "/grains/", "N", grain_state_columns<2>()),
+      reference_of("contacts", "/contacts/", "M", contact_columns<2>()),
+      with_paths(wall_group()),
+      with_paths(series_group()),
+      reference_of("series of walls", "/series/", "R", wall_series_columns()),
+      with_paths(energy_group()),
+      with_paths(solver_group()),
+      reference_of("base", base_group().attributes),
+      with_paths(base_group()),
+      track_table(),
+  };
+}
+
+}  // namespace repose

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/record/record_groups.hpp"
+
+namespace repose {
+
+namespace {
+
+/// A number of each wall in each row of the series.
+Column<Record> wall_column(const std::string& name, double& (*entry)(WallRow&), const std::string& unit,
+                           const std::string& meaning) {
+  const auto columns = [](const Record& record) { return record.wall_series.size() / record.series.size(); };
+  Column<Record> made{name, unit, meaning, "W", type_name<double>, {}};
+  made.write = [=](Hdf5File& file, const std::string& path, const Record& record) {
+    std::vector<double> values;
+    for (auto row : record.wall_series) values.push_back(entry(row));
+    file.table(path, values, columns(record), unit, meaning);
+  };
+  made.read = [=](const Hdf5Reader& file, const std::string& path, Record& record) {
+    const auto values = file.table<double>(path, record.walls.size());
+    record.wall_series.resize(record.series.size() * record.walls.size());
+    if (values.size() == record.wall_series.size()) {
+      for (std::size_t k = 0; k < values.size(); ++k) entry(record.wall_series[k]) = values[k];
+    }
+    return values.size() / record.walls.size();
+  };
+  return made;
+}
+
+Column<std::vector<SeriesRow>> energy_column(const std::string& name, double Energy::*entry,
+                                             const std::string& meaning) {
+  return column<SeriesRow>(
+      name, [=](auto& row) -> auto& { return row.energy.*entry; }, "M L^2/T^2", meaning);
+}
+
+template <class Value>
+Column<std::vector<SeriesRow>> solver_column(const std::string& name, Value SolverAccount::*entry,
+                                             const std::string& unit, const std::string& meaning) {
+  return column<SeriesRow>(
+      name, [=](auto& row) -> auto& { return row.solver.*entry; }, unit, meaning + ", since the row before");
+}
+
+/// Time again, beside what belongs to it.
+Column<std::vector<SeriesRow>> time_column(const std::string& meaning) {
+  return column<SeriesRow>(
+      "time", [](const SeriesRow& row) { return row.time; }, "T", meaning);
+}
+
+}  // namespace
+
+const Group<std::vector<SeriesRow>>& series_group() {
+  static const Group<std::vector<SeriesRow>> group{
+      "series",
+      "R",
+      {},
+      {
+          column("time", &SeriesRow::time, "T", "time"),
+          column("grains", &SeriesRow::grains, "", "moving grains present"),
+          column("lost", &SeriesRow::lost, "", "grains that have left"),
+          column("contacts", &SeriesRow::contacts, "",
+                 "contacts that carry more than `analysis.force_threshold` grain weights"),
+          column("kinetic_energy_per_grain", &SeriesRow::kinetic_energy_per_grain, "M L^2/T^2",
+                 "translation and rotation"),
+          column("force_residual", &SeriesRow::force_residual, "grain weights",
+                 "mean magnitude of the net force on a moving grain, over its own weight"),
+          column("max_overlap", &SeriesRow::max_overlap, "", "deepest overlap over the mean diameter of the pair"),
+      }};
+  return group;
+}
+
+const Columns<Record>& wall_series_columns() {
+  static const Columns<Record> list{
+      wall_column(
+          "wall_displacement", [](WallRow& row) -> double& { return row.displacement; }, "L",
+          "of each wall along the direction of its motion"),
+      wall_column(
+          "wall_force_x", [](WallRow& row) -> double& { return row.force[0]; }, "M L/T^2",
+          "of the grains on each wall, mean since the row before"),
+      wall_column(
+          "wall_force_y", [](WallRow& row) -> double& { return row.force[1]; }, "M L/T^2",
+          "of the grains on each wall, mean since the row before"),
+  };
+  return list;
+}
+
+const Group<std::vector<SeriesRow>>& energy_group() {
+  static const Group<std::vector<SeriesRow>> group{
+      "energy",
+      "R",
+      {},
+      {
+          time_column("of the rows; energies are those of half a step before"),
+          energy_column("kinetic", &Energy::kinetic, "translation and rotation"),
+          energy_column("gravitational", &Energy::gravitational, "0 at height 0"),
+          energy_column("elastic", &Energy::elastic, "of all contacts, springs of friction included"),
+          energy_column("sources", &Energy::sources, "put in: brought by grains, at the start or later"),
+          energy_column("lost", &Energy::lost, "taken along by grains that left"),
+          energy_column("walls_work", &Energy::walls_work, "put in: done by moving walls"),
+          energy_column("loads_work", &Energy::loads_work, "put in: done by loads"),
+          energy_column("damping", &Energy::damping, "dissipated by dashpots between grains"),
+          energy_column("friction", &Energy::friction, "dissipated by friction and rolling resistance between grains"),
+          energy_column("walls", &Energy::walls, "dissipated at walls"),
+          column<SeriesRow>(
+              "error", [](const SeriesRow& row) { return row.energy.error(); }, "M L^2/T^2",
+              "stored, dissipated and lost, less what was put in"),
+      }};
+  return group;
+}
+
+const Group<std::vector<SeriesRow>>& solver_group() {
+  static const Group<std::vector<SeriesRow>> group{
+      "solver",
+      "R",
+      {},
+      {
+          time_column("of the rows"),
+          solver_column("steps", &SolverAccount::steps, "", "time steps"),
+          solver_column("sweeps", &SolverAccount::sweeps, "", "forward and backward sweeps"),
+          solver_column("contact_iterations", &SolverAccount::contact_iterations, "",
+                        "contacts visited by sweeps, each way counted"),
+          solver_column("unconverged", &SolverAccount::unconverged, "", "steps that reached method.most_sweeps"),
+          solver_column("residual", &SolverAccount::worst_residual, "g dt", "worst residual velocity of a contact"),
+          column("creep_rate", &SeriesRow::creep_rate, "L/T", "median speed of the grains that touch something"),
+      }};
+  return group;
+}
+
+}  // namespace repose

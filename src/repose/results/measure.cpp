@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/results/measure.hpp"
+
+#include "repose/results/registry.hpp"
+
+#include <algorithm>
+
+namespace repose {
+
+bool has(const Scene& scene, Needs needs) {
+  switch (needs) {
+    case Needs::nothing:
+      return true;
+    case Needs::forces:
+      return scene.method->traits().has_forces();
+    case Needs::solver:
+      return scene.method->solver() != nullptr;
+    case Needs::deposition:
+      return scene.method->sticking_angle().has_value();
+  }
+  return false;
+}
+
+MeasureValue measure_value(Object value) { return value; }
+MeasureValue measure_value(double value) { return value; }
+MeasureValue measure_value(std::string value) { return value; }
+MeasureValue measure_value(std::vector<double> value) { return value; }
+MeasureValue measure_value(const Estimate& value) { return value; }
+
+Measure of_run(Measure measure) {
+  measure.of_grains = false;
+  return measure;
+}
+
+Measure only_where(std::function<bool(const Measured&)> exists, Measure measure) {
+  measure.exists = std::move(exists);
+  return measure;
+}
+
+std::vector<MeasuredValue> measured_values(const Measured& run) {
+  std::vector<MeasuredValue> values;
+  std::vector<std::string> closed;  // beginnings of names below objects that are null or left out
+  for (const auto& measure : measures()) {
+    const auto below = [&](const std::string& beginning) { return measure.name.starts_with(beginning); };
+    if (std::any_of(closed.begin(), closed.end(), below)) continue;
+    const bool exists = !measure.exists || measure.exists(run);
+    auto value = exists && has(run.record.scene, measure.needs) ? measure.value(run) : MeasureValue{};
+    if (measure.kind == Measure::Kind::object && !std::holds_alternative<Object>(value)) {
+      closed.push_back(measure.name + ".");
+    }
+    if (exists) values.push_back({measure, std::move(value)});
+  }
+  return values;
+}
+
+}  // namespace repose

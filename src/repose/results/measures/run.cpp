@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/core/version.hpp"
+#include "repose/results/registry.hpp"
+
+namespace repose {
+
+namespace {
+
+/// A number of the last observation.
+auto last(double SeriesRow::*member) {
+  return [=](const Measured& run) -> std::optional<double> {
+    if (run.record.series.empty()) return std::nullopt;
+    return run.record.series.back().*member;
+  };
+}
+
+/// Contacts that count: none where geometry alone should give them and does not.
+std::optional<std::size_t> contacts(const Measured& run) {
+  if (!has(run.record.scene, Needs::forces) && !run.results.packing) return std::nullopt;
+  return run.results.network.contacts;
+}
+
+std::optional<double> grain_steps_per_second(const Measured& run) {
+  const auto& facts = run.record.facts;
+  if (!(facts.wall_seconds > 0.0)) return std::nullopt;
+  return facts.grain_steps / facts.wall_seconds;
+}
+
+}  // namespace
+
+/// What was run and how it went.
+void add_run(Registry& to) {
+  const auto scene = [](auto member) { return [=](const Measured& run) { return run.record.scene.*member; }; };
+  const auto fact = [](auto member) { return [=](const Measured& run) { return run.record.facts.*member; }; };
+  const auto add = [&](Measure measure) { to.measures.push_back(std::move(measure)); };
+  add(measure("title", "", "of the scene", scene(&Scene::title)));
+  add(measure("repose_version", "", "of the program", [](const Measured&) { return std::string(version); }));
+  add(measure("method", "", "`method.kind` of the scene",
+              [](const Measured& run) { return std::string(run.record.scene.method->name()); }));
+  add(of_run(measure("seed", "", "of everything random", scene(&Scene::seed))));
+  add(measure("status", "", "\"running\", \"finished\", \"interrupted\" or \"failed\"",
+              [](const Measured& run) { return status_text(run.record.facts.status); }));
+  add(measure("stop_reason", "", "why the run stopped", fact(&RunFacts::message)));
+  add(measure("grains", "", "moving grains present",
+              [](const Measured& run) { return moving_count(*run.record.grains); }));
+  add(measure("grains_released", "", "grains that the source has released", fact(&RunFacts::released)));
+  add(measure("grains_lost", "", "grains that left through an open end", fact(&RunFacts::lost)));
+  add(measure("contacts", "", "contacts that carry more than `force_threshold`; in a deposition all, by geometry",
+              contacts));
+  add(of_run(measure(
+      "force_threshold", "grain weights", "`analysis.force_threshold` of the scene",
+      [](const Measured& run) { return run.record.scene.analysis.force_threshold; }, Needs::forces)));
+  add(measure("time", "T", "of the state; in a deposition it counts discs", fact(&RunFacts::time)));
+  add(of_run(measure("steps", "", "time steps taken", fact(&RunFacts::steps))));
+  add(of_run(measure("time_step", "T", "of the method", fact(&RunFacts::time_step))));
+  add(measure(
+      "velocities", "", "those that forces depend on: \"half-step\" or \"synchronised\"",
+      [](const Measured& run) { return std::string(run.record.scene.synchronised() ? "synchronised" : "half-step"); },
+      Needs::forces));
+  add(of_run(measure("threads", "", "of the program", fact(&RunFacts::threads))));
+  add(of_run(measure("wall_seconds", "s", "wall time of the run", fact(&RunFacts::wall_seconds))));
+  add(of_run(
+      measure("grain_steps_per_second", "1/s", "moving grains times steps over wall time", grain_steps_per_second)));
+  add(measure("kinetic_energy_per_grain", "M L^2/T^2", "at the last observation",
+              last(&SeriesRow::kinetic_energy_per_grain), Needs::forces));
+  add(measure("force_residual", "", "mean net force on a moving grain over its weight, at the last observation",
+              last(&SeriesRow::force_residual), Needs::forces));
+  add(measure("max_overlap", "", "deepest overlap over the mean diameter of the pair",
+              [](const Measured& run) { return run.results.max_overlap; }));
+}
+
+/// The exact state.
+void add_state(Registry& to) {
+  to.measures.push_back(measure(
+      "state_hash", "",
+      "XXH3-128 of the exact bits of places, velocities, spins, radii, masses and contact histories, in order of id: "
+      "equal for any number of threads and after any interruption",
+      [](const Measured& run) { return run.record.facts.state_hash; }));
+}
+
+}  // namespace repose

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/results/registry.hpp"
+
+namespace repose {
+
+/// What the solver did in the whole run, and what a deposition was set to.
+void add_solver(Registry& to) {
+  const auto account = [](auto member) {
+    return [=](const Measured& run) { return solver_account(run.record).*member; };
+  };
+  const auto add = [&](Measure measure) { to.measures.push_back(std::move(measure)); };
+  add(measure(
+      "solver", "", "over the whole run", [](const Measured&) { return Object{}; }, Needs::solver));
+  add(measure("solver.steps", "", "time steps", account(&SolverAccount::steps)));
+  add(measure("solver.sweeps_per_step", "", "forward and backward sweeps",
+              [](const Measured& run) -> std::optional<double> {
+                const auto all = solver_account(run.record);
+                if (all.steps == 0) return std::nullopt;
+                return static_cast<double>(all.sweeps) / static_cast<double>(all.steps);
+              }));
+  add(measure("solver.contact_iterations", "", "contacts visited by sweeps, each way counted",
+              account(&SolverAccount::contact_iterations)));
+  add(measure("solver.unconverged", "", "steps that reached `method.most_sweeps`",
+              account(&SolverAccount::unconverged)));
+  add(measure("solver.worst_residual", "g dt", "worst residual velocity of a contact",
+              account(&SolverAccount::worst_residual)));
+  add(measure("solver.tolerance", "g dt", "`method.tolerance` of the scene",
+              [](const Measured& run) -> std::optional<double> {
+                const auto* solver = run.record.scene.method->solver();
+                if (solver == nullptr) return std::nullopt;
+                return solver->tolerance;
+              }));
+  add(measure("solver.creep_rate", "L/T", "median speed of the grains that touch something, at the last observation",
+              [](const Measured& run) -> std::optional<double> {
+                if (run.record.series.empty()) return std::nullopt;
+                return run.record.series.back().creep_rate;
+              }));
+  add(only_where(
+      [](const Measured& run) { return has(run.record.scene, Needs::deposition); },
+      measure(
+          "critical_angle", "deg", "`method.critical_angle` of the scene",
+          [](const Measured& run) { return run.record.scene.method->sticking_angle(); }, Needs::deposition)));
+}
+
+}  // namespace repose

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/results/registry.hpp"
+
+namespace repose {
+
+// Each is defined in the file of its name in results/measures.
+void add_run(Registry& to);
+void add_network(Registry& to);
+void add_heap(Registry& to);
+void add_forces(Registry& to);
+void add_motion(Registry& to);
+void add_base(Registry& to);
+void add_fields(Registry& to);
+void add_packing(Registry& to);
+void add_packing_structure(Registry& to);
+void add_solver(Registry& to);
+void add_state(Registry& to);
+
+// In the order of summary.json.
+std::vector<Subject> subjects() {
+  return {
+      add_run,                //
+      add_network,            //
+      add_heap,               //
+      add_forces,             //
+      add_motion,             //
+      add_base,               //
+      add_fields,             //
+      add_packing,            //
+      add_packing_structure,  //
+      add_solver,             //
+      add_state,              //
+  };
+}
+
+}  // namespace repose

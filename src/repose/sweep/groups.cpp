@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/sweep/groups.hpp"
+
+namespace repose {
+
+const Group<std::vector<PointRow>>& point_group() {
+  static const Group<std::vector<PointRow>> group{"points",
+                                                  "P",
+                                                  {},
+                                                  {
+                                                      column("name", &PointRow::name, "", "name of each point"),
+                                                      column("members", &PointRow::finished, "", "finished members"),
+                                                      column("failed", &PointRow::failed, "", "failed members"),
+                                                  }};
+  return group;
+}
+
+const Group<std::vector<MemberRow>>& member_group() {
+  static const Group<std::vector<MemberRow>> group{
+      "members",
+      "K",
+      {},
+      {
+          column("point", &MemberRow::point, "", "row of /points"),
+          column("seed", &MemberRow::seed, "", "seed"),
+          column("status", &MemberRow::status, "", "as in its summary; empty: not run yet"),
+      }};
+  return group;
+}
+
+Group<std::vector<Estimate>> estimate_group(const std::string& name, const std::string& unit) {
+  return {name,
+          "P",
+          {},
+          {
+              column("mean", &Estimate::mean, unit, "over the finished members of each point"),
+              column("error", &Estimate::error, unit, "standard error of the mean"),
+              column("deviation", &Estimate::deviation, unit, "standard deviation between members"),
+              column("count", &Estimate::count, "", "members where it is defined"),
+          }};
+}
+
+Group<EnsembleProfile> profile_group(const std::string& name) {
+  const auto mean = [](const std::string& dataset, std::vector<double> BaseProfile::*member, const std::string& unit,
+                       const std::string& meaning) {
+    return array<EnsembleProfile>(
+        dataset, [=](const EnsembleProfile& profile) -> const auto& { return profile.mean.*member; }, unit, meaning);
+  };
+  const auto number = [](const std::string& attribute_name, Estimate EnsembleProfile::*which, double Estimate::*member,
+                         const std::string& meaning) {
+    return attribute<EnsembleProfile>(
+        attribute_name, [=](const EnsembleProfile& profile) { return (profile.*which).*member; }, "", meaning);
+  };
+  return {name,
+          "B",
+          {
+              attribute("members", &EnsembleProfile::members, "", "that the mean profile has"),
+              number("dip_index", &EnsembleProfile::dip_index, &Estimate::mean, "of the mean profile"),
+              number("dip_index_error", &EnsembleProfile::dip_index, &Estimate::error, "by the jackknife"),
+              number("max_over_centre", &EnsembleProfile::max_over_centre, &Estimate::mean, "of the mean profile"),
+              number("max_over_centre_error", &EnsembleProfile::max_over_centre, &Estimate::error, "by the jackknife"),
+              attribute("centre", &EnsembleProfile::centre, "L", "of the loaded interval of the mean profile"),
+              attribute("half_width", &EnsembleProfile::half_width, "L", "of the same interval"),
+          },
+          {
+              mean("x", &BaseProfile::x, "L", "centre"),
+              mean("normal", &BaseProfile::normal, "grain weights", "mean over members, positive downward"),
+              array("normal_error", &EnsembleProfile::normal_error, "grain weights", "standard error between members"),
+              mean("shear", &BaseProfile::shear, "grain weights", "mean over members, positive to the right"),
+              array("shear_error", &EnsembleProfile::shear_error, "grain weights", "standard error between members"),
+          }};
+}
+
+Group<BinnedProfile> binned_group(const std::string& name) {
+  return {name,
+          "bins",
+          {attribute("bin_width", &BinnedProfile::bin_width, "L", "`analysis.base_bin`")},
+          {
+              array("x", &BinnedProfile::x, "L", "centre"),
+              array("normal", &BinnedProfile::normal, "grain weights", "mean over members, positive downward"),
+              array("normal_error", &BinnedProfile::normal_error, "grain weights", "standard error between members"),
+              array("shear", &BinnedProfile::shear, "grain weights", "mean over members, positive to the right"),
+              array("shear_error", &BinnedProfile::shear_error, "grain weights", "standard error between members"),
+          }};
+}
+
+std::vector<ReferenceTable> sweep_reference() {
+  const auto profile = profile_group("profiles");
+  return {
+      reference_of("points", "/points/", point_group().rows, point_group().columns),
+      reference_of("measures", "/measures/NAME/", "P", estimate_group("", "that of the measure").columns),
+      reference_of("members", "/members/", member_group().rows, member_group().columns),
+      reference_of("profiles", profile.attributes),
+      reference_of("profiles", "/profiles/NNNN/", profile.rows, profile.columns),
+  };
+}
+
+}  // namespace repose

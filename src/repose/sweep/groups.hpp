@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/io/groups.hpp"
+#include "repose/io/reference_table.hpp"
+#include "repose/sweep/table.hpp"
+
+#include <string>
+#include <vector>
+
+namespace repose {
+
+/// A point of a sweep with the number of its members.
+struct PointRow {
+  std::string name;
+  std::size_t finished = 0;
+  std::size_t failed = 0;
+};
+
+// The groups of sweep.h5; those of measures and profiles repeat under other names.
+
+const Group<std::vector<PointRow>>& point_group();
+const Group<std::vector<MemberRow>>& member_group();
+Group<std::vector<Estimate>> estimate_group(const std::string& name, const std::string& unit);
+Group<EnsembleProfile> profile_group(const std::string& name);
+Group<BinnedProfile> binned_group(const std::string& name);
+
+/// The tables of docs/reference/sweep.md.
+std::vector<ReferenceTable> sweep_reference();
+
+}  // namespace repose
