@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/core/errors.hpp"
+#include "repose/scene/bases/row.hpp"
+#include "repose/scene/methods/soft.hpp"
 #include "repose/scene/read.hpp"
+#include "repose/scene/sources/drop.hpp"
 #include "repose/scene/write.hpp"
 
 #include <gtest/gtest.h>
@@ -53,14 +56,14 @@ bool any_contains(const std::vector<std::string>& lines, const std::string& part
 TEST(SceneRead, ValuesAndDefaults) {
   const auto scene = scene_from_text(heap_text, "scene.toml");
   EXPECT_EQ(scene.title, "a \"heap\"");
-  EXPECT_FALSE(scene.method.time_step);
+  EXPECT_FALSE(scene.method.as<SoftMethod>()->step);
   EXPECT_EQ(std::get<Cumulative>(scene.contact.tangential).friction, 0.4);
   EXPECT_EQ(std::get<Continuous>(scene.contact.normal).whole_exponent, 37U);
-  EXPECT_EQ(scene.base.spacing, 1.1);
+  EXPECT_EQ(scene.base.as<RowBase>()->spacing, 1.1);
   ASSERT_EQ(scene.planes.size(), 1U);
   ASSERT_EQ(scene.placed.size(), 1U);
   EXPECT_EQ(scene.placed[0].diameter, 0.9);
-  EXPECT_EQ(scene.source.height, 100.0);
+  EXPECT_EQ(scene.source.as<PourSource>()->height, 100.0);
   EXPECT_FALSE(scene.stop.at_rest);
   // "auto" takes half a radian of the stiffest contact, here that of the small placed grain.
   EXPECT_NEAR(scene.time_step() * scene.contact_frequency(), 0.5, 1e-12);
@@ -234,7 +237,7 @@ TEST(SceneRead, WholeNumbersBeyondTheDoubles) {
   overrides.set = {"gravity=9223372036854775807", "method.skin=9007199254740993"};
   const auto scene = scene_from_text(one_grain, "scene.toml", overrides);
   EXPECT_EQ(scene.gravity, 0x1p63);
-  EXPECT_EQ(scene.method.skin, 0x1p53);
+  EXPECT_EQ(scene.method.as<SoftMethod>()->skin, 0x1p53);
   overrides.set = {"stop.time=9223372036854775807"};
   EXPECT_EQ(scene_from_text(one_grain, "scene.toml", overrides).stop.time, 0x1p63);
   const auto far = scene_from_text("[[grain]]\nposition = [0, 9223372036854775807]\n[stop]\ntime = 1\n", "scene.toml");
@@ -260,9 +263,9 @@ TEST(SceneRead, DefaultsThatOverflow) {
     overrides.set.push_back(part.substr(0, part.find(':')) + "=1");
     EXPECT_LT(problems_of(one_grain, overrides).size(), lines.size()) << part;
   };
-  overflow({"grains.diameter=1e306"}, "box.half_width: missing, and its default, inf, will not do: must be a finite");
-  overflow({"grains.diameter=5e-324"}, "method.skin: missing, and its default, 0, will not do: must be > 0 [L]");
-  overflow({"grains.diameter=1e100", "gravity=1e-308"}, "output.series: missing, and its default, inf, will not do");
+  overflow({"grains.diameter=1e306"}, "box.half_width: missing, and its default is inf: must be a finite");
+  overflow({"grains.diameter=5e-324"}, "method.skin: missing, and its default is 0: must be > 0 [L]");
+  overflow({"grains.diameter=1e100", "gravity=1e-308"}, "output.series: missing, and its default is inf");
 }
 
 }  // namespace

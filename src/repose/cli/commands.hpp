@@ -29,7 +29,7 @@ Command add_export(CLI::App& app);
 Command add_solve(CLI::App& app);
 Command add_theory(CLI::App& app);
 Command add_plot(CLI::App& app);
-Command add_scene(CLI::App& app);
 Command add_reference(CLI::App& app);
+Command add_scene(CLI::App& app);
 
 }  // namespace repose

@@ -36,15 +36,15 @@ int main(int argc, char** argv) {
   const auto solve = add_solve(app);
   const auto theory = add_theory(app);
   const auto plot = add_plot(app);
-  const auto scene = add_scene(app);
   const auto reference = add_reference(app);
+  const auto scene = add_scene(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : exit_bad_input;
   }
   try {
-    for (const auto& command : {run, check, resume, sweep, analyse, exports, solve, theory, plot, scene, reference}) {
+    for (const auto& command : {run, check, resume, sweep, analyse, exports, solve, theory, plot, reference, scene}) {
       if (command.app->parsed()) return command.act();
     }
   } catch (const InputError& error) {

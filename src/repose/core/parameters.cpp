@@ -103,7 +103,7 @@ bool take_default(const Parameters::Item& item) {
                             return true;
                           },
                           [](const Parameters::Text& it) {
-                            it.value = it.fallback.value_or("");
+                            it.value = it.fallback ? it.fallback->value : "";
                             return it.fallback.has_value();
                           },
                           [](const Parameters::Choice& it) {
@@ -172,7 +172,10 @@ std::string default_text(const Parameters::Item& item) {
             [](const Parameters::Flag& it) {
               return it.fallback.rule.empty() ? fmt::format("{}", it.fallback.value) : std::string(it.fallback.rule);
             },
-            [](const Parameters::Text& it) { return std::string(it.fallback.value_or("")); },
+            [](const Parameters::Text& it) {
+              if (!it.fallback) return std::string();
+              return std::string(it.fallback->rule.empty() ? it.fallback->value : it.fallback->rule);
+            },
             [](const Parameters::Choice& it) {
               return std::string(it.fallback.rule.empty() ? it.fallback.value : it.fallback.rule);
             },

@@ -107,7 +107,7 @@ class Parameters {
   };
   struct Text {
     std::string& value;
-    std::optional<std::string_view> fallback;  ///< none: it must be given
+    std::optional<DefaultOf<std::string_view>> fallback;  ///< none: it must be given
   };
   struct Choice {
     std::string& value;
@@ -163,13 +163,14 @@ class Parameters {
             std::string_view about) {
     show({name, "", about, Flag{value, fallback}});
   }
-  void text(std::string_view name, std::string& value, std::optional<std::string_view> fallback,
+  void text(std::string_view name, std::string& value, const DefaultOf<std::string_view>& fallback,
             std::string_view about) {
     show({name, "", about, Text{value, fallback}});
   }
   void text(std::string_view name, std::string& value, std::string_view about) {
     const std::string before = value;
-    text(name, value, before.empty() ? std::nullopt : std::optional<std::string_view>(before), about);
+    if (before.empty()) return show({name, "", about, Text{value, std::nullopt}});
+    text(name, value, DefaultOf<std::string_view>(before), about);
   }
   void choice(std::string_view name, std::string& value, const DefaultOf<std::string_view>& fallback,
               const std::vector<Word>& words, std::string_view about) {

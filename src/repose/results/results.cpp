@@ -42,7 +42,7 @@ PackingOptions packing_options(const Scene& scene) {
   options.correlations = analysis.correlations;
   options.structure = analysis.structure_factor;
   options.local_density = analysis.local_density;
-  if (has(scene, Needs::forces)) return options;
+  if (!has(scene, Needs::deposition)) return options;
   options.slab.base_height = 0.0;
   // Base discs lie on the floor too, and are neighbours already.
   options.walls.floor = -0.5 * scene.grains.diameter;
@@ -86,9 +86,10 @@ ForceNetwork network_of(const Packing& packing) {
   return network;
 }
 
-Results analyse_deposition(const Record& record) {
+/// A record without forces: the packing is all there is to measure.
+Results analyse_packing_alone(const Record& record) {
   Results results;
-  measure_packing(record, results);
+  if (*record.scene.analysis.packing) measure_packing(record, results);
   if (results.packing) results.network = network_of(*results.packing);
   return results;
 }
@@ -96,7 +97,7 @@ Results analyse_deposition(const Record& record) {
 }  // namespace
 
 Results analyse(const Record& record) {
-  if (!has(record.scene, Needs::forces)) return analyse_deposition(record);
+  if (!has(record.scene, Needs::forces)) return analyse_packing_alone(record);
   const auto& scene = record.scene;
   const auto& grains = *record.grains;
   const auto& contacts = record.contacts;

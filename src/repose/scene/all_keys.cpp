@@ -109,7 +109,7 @@ class Listing final : public Parameters {
   void look_at(const Item& item, const Text& written, KeyText& text) {
     branch(item, "given");
     if (!setting(text.key).empty()) written.value = "given";
-    text.fallback = text.required ? "" : fmt::format("\"{}\"", text.fallback);
+    if (!text.required && written.fallback->rule.empty()) text.fallback = fmt::format("\"{}\"", text.fallback);
   }
   void look_at(const Item&, const OptionalNumber& number, KeyText& text) {
     if (!number.without.word.empty()) text.fallback = fmt::format("\"{}\"", text.fallback);
@@ -174,41 +174,54 @@ class Search {
     }
   }
 
-  /// Where a key follows from another of its own table, what changes the default of that one is left out.
+  /// Where a key follows from another of its own table alone, all else that brings it about is left out: it changes the
+  /// default of that one.
   void drop_indirect() {
-    const auto in_own_table = [](const auto& entry) {
-      return !entry.conditions.empty() && table_of(entry.conditions.back().key) == table_of(entry.key);
+    const auto direct = [](const auto& entry) {
+      return entry.conditions.size() == 1 && table_of(entry.conditions.front().key) == table_of(entry.key);
     };
     const auto all = found;
     std::erase_if(found, [&](const auto& entry) {
-      if (entry.conditions.empty() || in_own_table(entry)) return false;
+      if (entry.conditions.empty() || direct(entry)) return false;
       return std::any_of(all.begin(), all.end(),
-                         [&](const auto& other) { return same_text(entry, other) && in_own_table(other); });
+                         [&](const auto& other) { return same_text(entry, other) && direct(other); });
     });
   }
 
   std::string method_;
 };
 
-/// Joins two entries that differ in nothing but the methods, or in the values of one condition.
+/// Whether one list of values is part of the other.
+bool one_in_other(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+  const auto in = [](const auto& part, const auto& whole) {
+    return std::all_of(part.begin(), part.end(),
+                       [&](const auto& value) { return std::find(whole.begin(), whole.end(), value) != whole.end(); });
+  };
+  return in(a, b) || in(b, a);
+}
+
+/// Joins two entries that differ in nothing but the methods, or in the values of one condition. Another method may have
+/// fewer of these values.
 bool join(KeyText& entry, const KeyText& other) {
-  if (!same_text(entry, other)) return false;
-  if (entry.conditions == other.conditions) {
-    if (entry.methods != other.methods) entry.methods.push_back(other.methods.front());
+  if (!same_text(entry, other) || entry.conditions.size() != other.conditions.size()) return false;
+  const bool same_methods = entry.methods == other.methods;
+  const auto add_methods = [&] {
+    if (!same_methods) entry.methods.push_back(other.methods.front());
     return true;
-  }
-  if (entry.methods != other.methods || entry.conditions.size() != other.conditions.size()) return false;
+  };
+  if (entry.conditions == other.conditions) return add_methods();
   for (std::size_t k = 0; k < entry.conditions.size(); ++k) {
     auto joined = entry.conditions;
     if (joined[k].key != other.conditions[k].key) continue;
     joined[k] = other.conditions[k];
     if (joined != other.conditions) continue;
     auto& values = entry.conditions[k].values;
+    if (!same_methods && !one_in_other(values, other.conditions[k].values)) return false;
     for (const auto& value : other.conditions[k].values) {
       if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
     }
     entry.conditions[k].meaning.clear();
-    return true;
+    return add_methods();
   }
   return false;
 }

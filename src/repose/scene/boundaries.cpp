@@ -32,7 +32,7 @@ void box_keys(Scene& scene, Parameters& keys) {
       in_time ? std::vector<Word>{"open", "periodic"} : std::vector<Word>{"periodic", "walls"};
   keys.choice("box.x", scene.box.x,
               {of_base ? "periodic" : "open", in_time ? "\"open\"; \"periodic\" over a contiguous base" : ""}, sides,
-              in_time ? "grains that leave an open box are lost and counted" : "what is at the sides");
+              in_time ? "its sides; grains that leave an open box are lost and counted" : "its sides");
   if (of_base && !scene.box.open()) {
     scene.box.half_width = *of_base;
   } else {
@@ -48,13 +48,13 @@ void box_keys(Scene& scene, Parameters& keys) {
       "grains that fall below are lost and counted; \"auto\": 5 diameters below base grains, else nowhere");
 }
 
-void wall_keys(SceneWall& wall, const std::string& name, const Scene& scene, Parameters& keys) {
-  keys.text("name", wall.name, name, "under which its series is kept");
+void wall_keys(SceneWall& wall, const DefaultOf<std::string_view>& name, const Scene& scene, Parameters& keys) {
+  keys.text("name", wall.name, name, "name of its series in the output");
   keys.flag("smooth", wall.smooth, "as base.smooth");
   material_key("material", wall.material, scene, keys);
   kind_key("motion", wall.motion, motion_kinds(), any_kind, "fixed", "how it moves", keys);
   wall.motion->keys(keys);
-  keys.optional_number("opens_at", wall.opens_at, {"", "never"}, not_negative, "T", "from then on it does not exist");
+  keys.optional_number("opens_at", wall.opens_at, {"", "never"}, not_negative, "T", "the wall is removed at this time");
 }
 
 void check_direction(const std::string& key, const std::array<double, 2>& vector, Problems& problems) {
@@ -86,7 +86,7 @@ void check_names(const Scene& scene, Problems& problems) {
   const auto check = [&](const std::string& table, const std::vector<SceneWall>& walls) {
     for (std::size_t k = 0; k < walls.size(); ++k) {
       if (names.insert(walls[k].name).second) continue;
-      problems.problem(fmt::format("{}[{}].name", table, k), fmt::format(" = \"{}\": is taken", walls[k].name));
+      problems.problem(fmt::format("{}[{}].name", table, k), fmt::format(" = \"{}\": is used twice", walls[k].name));
     }
   };
   check("plane", scene.planes);
@@ -143,20 +143,20 @@ void boundary_keys(Scene& scene, Parameters& keys) {
   box_keys(scene, keys);
   if (!scene.method->traits().follows_time) return;
   table_keys(keys, "plane", scene.planes, [&](Parameters& entry, SceneWall& plane, std::size_t k) {
-    entry.vector("point", plane.point, std::nullopt, "L", "a point of the plane");
-    entry.vector("normal", plane.normal, std::nullopt, "", "towards the grains");
-    wall_keys(plane, fmt::format("plane {}", k), scene, entry);
+    entry.vector("point", plane.point, std::nullopt, "L", "a point on the plane");
+    entry.vector("normal", plane.normal, std::nullopt, "", "normal vector, towards the grains");
+    wall_keys(plane, {fmt::format("plane {}", k), "\"plane k\""}, scene, entry);
   });
   table_keys(keys, "wall", scene.pieces, [&](Parameters& entry, SceneWall& piece, std::size_t k) {
-    entry.vector("from", piece.from, std::nullopt, "L", "one end of a straight piece of wall, which has two sides");
+    entry.vector("from", piece.from, std::nullopt, "L", "one end of a straight wall, which has two sides");
     entry.vector("to", piece.to, std::nullopt, "L", "the other end");
-    wall_keys(piece, fmt::format("wall {}", k), scene, entry);
+    wall_keys(piece, {fmt::format("wall {}", k), "\"wall k\""}, scene, entry);
   });
   table_keys(keys, "load", scene.loads, [&](Parameters& entry, SceneLoad& load, std::size_t) {
-    entry.vector("force", load.force, std::nullopt, "M L/T^2", "that acts on one grain");
+    entry.vector("force", load.force, std::nullopt, "M L/T^2", "force on one grain");
     entry.integer("grain", load.grain, {.low = -1}, "its id; -1: the moving grain nearest to the position");
-    if (load.grain < 0) entry.vector("position", load.position, origin, "L", "at the start of the load");
-    entry.number("start", load.start, not_negative, "T", "of the load");
+    if (load.grain < 0) entry.vector("position", load.position, origin, "L", "place at the start of the load");
+    entry.number("start", load.start, not_negative, "T", "the load begins then");
   });
 }
 

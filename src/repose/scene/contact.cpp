@@ -105,7 +105,7 @@ void impulse_keys(ImpulseLaw& law, const UsualImpulse& usual, Parameters& keys) 
   keys.number("restitution", law.restitution, {like.restitution, usual.rule}, zero_to_one, "",
               "normal velocity after an impact over that before");
   keys.number("tangential_restitution", law.tangential_restitution, {like.tangential_restitution, usual.rule},
-              {.low = -1.0, .high = 1.0}, "", "the same of the tangential velocity, where friction can bring it about");
+              {.low = -1.0, .high = 1.0}, "", "the same for the tangential velocity, as far as friction allows");
   keys.number("rolling_friction", law.rolling_friction, {like.rolling_friction, usual.rolling_rule},
               not_negative_or_infinite, "",
               "tan(theta_r): torque over normal force and roll radius 2 r_i r_j/(r_i + r_j) at most; inf: no rolling");
@@ -114,7 +114,7 @@ void impulse_keys(ImpulseLaw& law, const UsualImpulse& usual, Parameters& keys) 
   if (!(law.weakening_velocity > 0.0)) return void(law.dynamic_friction = 0.0);
   keys.number("dynamic_friction", law.dynamic_friction,
               like.weakening_velocity > 0.0 ? Default{like.dynamic_friction, usual.rule} : Default{required},
-              not_negative, "", "friction of contacts that slide so fast");
+              not_negative, "", "friction of contacts that slide at weakening_velocity or faster");
 }
 
 /// What a scene says of rolling by its critical angle.
@@ -161,8 +161,7 @@ void check_force_laws(const std::string& prefix, const MaterialContact& contact,
       contact.normal);
   if (std::holds_alternative<Mindlin>(contact.tangential) && !std::holds_alternative<Hertz>(contact.normal) &&
       problems.sound(prefix + "tangential.law") && problems.sound(prefix + "normal.law")) {
-    problems.problem(prefix + "tangential.law",
-                     fmt::format(" = \"mindlin\": goes with {}normal.law = \"hertz\" alone", prefix));
+    problems.problem(prefix + "tangential.law", fmt::format(" = \"mindlin\": needs {}normal.law = \"hertz\"", prefix));
   }
 }
 
@@ -180,7 +179,8 @@ void check_names(const std::vector<Material>& materials, Problems& problems) {
     const auto key = fmt::format("material[{}].name", k);
     const auto& name = materials[k].name;
     if (name.empty() && problems.sound(key)) problems.problem(key, ": missing: a material needs a name");
-    if (!name.empty() && !names.insert(name).second) problems.problem(key, fmt::format(" = \"{}\": is taken", name));
+    if (!name.empty() && !names.insert(name).second)
+      problems.problem(key, fmt::format(" = \"{}\": is used twice", name));
   }
 }
 
@@ -249,7 +249,7 @@ std::string of_all_pairs(const Scene& scene, const Text& text_of) {
 void material_key(std::string_view key, std::string& material, const Scene& scene, Parameters& keys) {
   const auto names = scene.material_names();
   const std::vector<Word> words(names.begin(), names.end());
-  keys.choice(key, material, {names.front(), "the first material"}, words, "of which it is, for the laws of the pair");
+  keys.choice(key, material, {names.front(), "the first material"}, words, "its material, for the laws of the pair");
 }
 
 void contact_keys(Scene& scene, Parameters& keys) {
@@ -261,8 +261,9 @@ void contact_keys(Scene& scene, Parameters& keys) {
     force_law_keys(scene.contact, nullptr, scene, below);
   }
   table_keys(keys, "material", scene.materials, [&](Parameters& entry, Material& material, std::size_t) {
-    entry.text("name", material.name, "", "of the material; that of the first is for all that names none");
-    entry.number("density", material.density, positive, "", "over that of grains.mass and grains.diameter");
+    entry.text("name", material.name, "", "name of the material; the first one is the default everywhere");
+    entry.number("density", material.density, positive, "",
+                 "relative to that of a grain of grains.mass and grains.diameter");
   });
   table_keys(keys, "pair", scene.pairs, [&](Parameters& entry, MaterialPair& pair, std::size_t) {
     material_key("first", pair.first, scene, entry);
@@ -285,7 +286,7 @@ void check_contact(const Scene& scene, Problems& problems) {
     const auto prefix = fmt::format("pair[{}].", k);
     check_between(prefix, pair.contact, scene, problems);
     if (!given.insert(std::minmax(pair.first, pair.second)).second) {
-      problems.problem(prefix + "second", fmt::format(" = \"{}\": this pair was given before", pair.second));
+      problems.problem(prefix + "second", fmt::format(" = \"{}\": this pair is given twice", pair.second));
     }
   }
 }

@@ -7,12 +7,12 @@
 namespace repose {
 
 void show_keys(Scene& scene, Parameters& keys) {
-  keys.text("title", scene.title, "", "what this scene is");
+  keys.text("title", scene.title, "", "title of the scene");
   keys.choice("units", scene.units, {"reduced", "SI"},
               "reduced: grain diameter, grain mass, gravity = 1; SI: m, kg, s");
-  keys.integer("seed", scene.seed, {.low = 0}, "of everything random");
+  keys.integer("seed", scene.seed, {.low = 0}, "seed of everything random");
   keys.number("gravity", scene.gravity, {scene.units == "SI" ? 9.81 : 1.0, "1; 9.81 in SI"}, not_negative, "L/T^2",
-              "along -y");
+              "gravity, along -y");
   grain_keys(scene, keys);
   kind_key("method.kind", scene.method, method_kinds(), any_kind, "soft", "how the grains are moved", keys);
   scene.method->keys(scene, keys);

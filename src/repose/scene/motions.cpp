@@ -22,7 +22,7 @@ void start_key(double& start, Parameters& keys) {
 }  // namespace
 
 void DrivenWall::keys(Parameters& keys) {
-  keys.vector("velocity", velocity, std::nullopt, "L/T", "of the wall");
+  keys.vector("velocity", velocity, std::nullopt, "L/T", "velocity of the wall");
   start_key(start, keys);
 }
 
@@ -34,7 +34,7 @@ Motion DrivenWall::motion() const {
 }
 
 void Piston::piston_keys(Parameters& keys) {
-  keys.number("mass", mass, required, positive, "M", "of the piston; gravity does not act on it");
+  keys.number("mass", mass, required, positive, "M", "mass of the piston; gravity does not act on it");
   keys.number("drag", drag, not_negative, "M/T", "force against the motion per speed");
   start_key(start, keys);
 }
@@ -42,7 +42,7 @@ void Piston::piston_keys(Parameters& keys) {
 Motion Piston::piston_motion() const { return {.mass = mass, .drag = drag, .start = start}; }
 
 void PushedPiston::keys(Parameters& keys) {
-  keys.vector("force", force, std::nullopt, "M L/T^2", "on the piston, which moves along it");
+  keys.vector("force", force, std::nullopt, "M L/T^2", "force on the piston, which moves along it");
   piston_keys(keys);
 }
 
@@ -55,8 +55,8 @@ Motion PushedPiston::motion() const {
 }
 
 void SprungPiston::keys(Parameters& keys) {
-  keys.vector("velocity", velocity, std::nullopt, "L/T", "of the far end of the spring");
-  keys.number("stiffness", stiffness, required, positive, "M/T^2", "of the spring");
+  keys.vector("velocity", velocity, std::nullopt, "L/T", "velocity of the far end of the spring");
+  keys.number("stiffness", stiffness, required, positive, "M/T^2", "stiffness of the spring");
   piston_keys(keys);
 }
 

@@ -13,9 +13,10 @@ namespace repose {
 namespace {
 
 void stop_keys(StopKeys& stop, Parameters& keys) {
-  keys.optional_number("stop.at_rest", stop.at_rest, {"", "none"}, positive, "",
-                       "after the last grain, once kinetic energy per grain (in m g d) and force residual are below");
-  keys.optional_number("stop.time", stop.time, {"", "none"}, positive, "T", "latest end");
+  keys.optional_number(
+      "stop.at_rest", stop.at_rest, {"", "none"}, positive, "",
+      "ends the run after the last grain, once kinetic energy per grain (in m g d) and force residual are below this");
+  keys.optional_number("stop.time", stop.time, {"", "none"}, positive, "T", "ends the run at this time");
 }
 
 void file_keys(Scene& scene, Parameters& keys) {
@@ -27,38 +28,39 @@ void file_keys(Scene& scene, Parameters& keys) {
   // Where time counts discs, one row at the end tells all.
   const auto all = static_cast<double>(scene.source->released());
   keys.number("output.series", output.series, in_time ? Default{fall, "sqrt(d/g)"} : Default{all, "all"},
-              in_time ? positive : at_least_one, unit, "between rows of the time series");
+              in_time ? positive : at_least_one, unit, "interval between rows of the time series");
   keys.number("output.frames", output.frames, in_time ? Default{100.0 * fall, "100 sqrt(d/g)"} : Default{0.0},
-              not_negative, unit, "between saved frames; 0: none");
+              not_negative, unit, "interval between saved frames; 0: none");
   if (in_time) {
     keys.number("output.window", output.window, {10.0 * fall, "10 sqrt(d/g)"}, positive, unit,
-                "at the end, over which base forces are averaged");
+                "interval at the end over which base forces are averaged");
     keys.number("output.track", output.track, not_negative, unit,
-                "between moments at which the place of every grain is kept, for avalanches; 0: none");
+                "interval between moments at which the place of every grain is kept, for avalanches; 0: none");
   } else {
     output.window = all;
   }
   keys.number("output.checkpoint", output.checkpoint, not_negative, "s of wall time",
-              "between checkpoints, from which a run that was cut off resumes; 0: only when it is interrupted");
+              "interval between checkpoints, from which a run resumes after a crash; 0: only when it is interrupted");
   if (traits.keeps_energy) {
     keys.flag("output.energy", output.energy,
-              "keep account of the energy, a series of its own; in a slower kernel that gives the same bits");
+              "keep account of the energy in a series of its own; a slower kernel, which gives the same bits");
   }
 }
 
 void force_keys(Scene& scene, Parameters& keys) {
   auto& analysis = scene.analysis;
   const double d = scene.grains.diameter;
-  keys.number("analysis.bin_width", analysis.bin_width, {2.0 * d, "2 d"}, positive, "L", "of the surface profile");
+  keys.number("analysis.bin_width", analysis.bin_width, {2.0 * d, "2 d"}, positive, "L",
+              "bin width of the surface profile");
   keys.number("analysis.force_threshold", analysis.force_threshold, not_negative, "grain weights",
-              "contacts that carry less do not count");
-  keys.number("analysis.base_bin", analysis.base_bin, {5.0 * d, "5 d"}, positive, "L", "of the binned base profile");
+              "contacts with a smaller force do not count");
+  keys.number("analysis.base_bin", analysis.base_bin, {5.0 * d, "5 d"}, positive, "L", "bin width of the base profile");
   keys.number("analysis.field_width", analysis.field_width, {1.5 * d, "1.5 d"}, positive, "L",
               "standard deviation of the Gaussian that smooths stress and density");
   keys.number("analysis.core_depth", analysis.core_depth, {4.0 * d, "4 d"}, not_negative, "L",
-              "below the surface, where the core of a heap begins");
+              "depth below the surface at which the core of a heap begins");
   keys.number("analysis.moved", analysis.moved, {0.5 * d, "0.5 d"}, positive, "L",
-              "a grain that goes farther between two moments of the track has moved");
+              "a grain that is displaced farther between two moments of the track has moved");
   keys.integer("analysis.avalanche", analysis.avalanche, {.low = 1}, "grains that move at once in an avalanche");
   keys.number("analysis.burst", analysis.burst, positive, "grain weights times diameters",
               "kinetic energy of the heap above which a burst is counted");
@@ -67,7 +69,7 @@ void force_keys(Scene& scene, Parameters& keys) {
 void packing_keys(Scene& scene, Parameters& keys) {
   auto& analysis = scene.analysis;
   const auto traits = scene.method->traits();
-  if (traits.has_forces()) {
+  if (traits.follows_time) {
     keys.flag("analysis.packing", analysis.packing, {scene.box.periodic(), "true in a periodic box"},
               "measure the packing in a slab: solid fraction, contacts, fabric");
   } else {
@@ -75,14 +77,14 @@ void packing_keys(Scene& scene, Parameters& keys) {
   }
   if (!*analysis.packing) return;
   keys.vector("analysis.slab", analysis.slab, std::array<double, 2>{0.4, 1.4}, "",
-              "edges of the slab above the base centres, over the mean height of the grains");
+              "edges of the slab above the base centres, in mean heights of the grains");
   keys.number("analysis.contact_gap", analysis.contact_gap, traits.contact_gap, not_negative, "diameters",
               "grains closer than this touch");
   keys.integer("analysis.direction_bins", analysis.direction_bins, {.low = 1},
-               "of contact directions, over 180 degrees");
+               "bins of contact directions, over 180 degrees");
   keys.flag("analysis.correlations", analysis.correlations, "pair correlation g(r), and along x and y");
-  keys.flag("analysis.structure_factor", analysis.structure_factor, "S(q)");
-  keys.flag("analysis.local_density", analysis.local_density, "by Voronoi cells");
+  keys.flag("analysis.structure_factor", analysis.structure_factor, "structure factor S(q)");
+  keys.flag("analysis.local_density", analysis.local_density, "local density by Voronoi cells");
 }
 
 }  // namespace

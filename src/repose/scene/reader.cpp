@@ -129,7 +129,7 @@ void Reader::problem(const std::string& key, const std::string& what) {
 }
 
 void Reader::missing(const std::string& key, std::string_view about) {
-  problem(key, fmt::format(": missing; it says: {}", about));
+  problem(key, fmt::format(": missing: {}", about));
 }
 
 void Reader::wrong_type(const std::string& key, const toml::node& node, std::string_view wanted) {
@@ -156,7 +156,7 @@ void Reader::show(const Item& item) {
     missing(key, item.about);
   } else if (const auto* number = std::get_if<Number>(&item.value)) {
     // Defaults that follow from other keys can overflow.
-    const auto shown = fmt::format(": missing, and its default, {}, will not do", number->value);
+    const auto shown = fmt::format(": missing, and its default is {}", number->value);
     check_bounds(item, shown, number->value, number->bounds);
   }
 }

@@ -30,10 +30,10 @@ bool repeats_contact(const std::string& key) {
   return key.starts_with("pair[].") && below_table(key).find('.') != std::string::npos;
 }
 
-std::string heading(const std::string& table) {
-  if (table.empty()) return "## The scene";
-  if (table.ends_with("[]")) return fmt::format("## `[[{}]]`", table.substr(0, table.size() - 2));
-  return fmt::format("## `[{}]`", table);
+/// As a scene writes it: "[contact]", "[[wall]]".
+std::string title_of(const std::string& table) {
+  if (table.empty()) return "outside tables";
+  return table.ends_with("[]") ? fmt::format("[[{}]]", table.substr(0, table.size() - 2)) : fmt::format("[{}]", table);
 }
 
 std::string joined(std::vector<std::string> names, const std::string& last) {
@@ -44,74 +44,87 @@ std::string joined(std::vector<std::string> names, const std::string& last) {
   return fmt::format("{} {} {}", fmt::join(names, ", "), last, end);
 }
 
-/// `kind = "row"` (fixed discs ...); `columns` is not 0.
+/// `kind = "row"`, or `columns` is not 0.
 std::string condition_text(const KeyCondition& condition, const std::string& table) {
   const auto name = table_of(condition.key) == table ? below_table(condition.key) : condition.key;
   const auto& first = condition.values.front();
-  if (first == "given") return fmt::format("`{}` is given", name);
-  if (first.starts_with("not ")) return fmt::format("`{}` is not {}", name, first.substr(4));
+  if (first == "given") return fmt::format("`{}` given", name);
+  if (first.starts_with("not ")) return fmt::format("`{}` not {}", name, first.substr(4));
   if (first == "> 0") return fmt::format("`{}` > 0", name);
-  const bool flag = first == "true" || first == "false";
   auto values = condition.values;
-  if (!flag) {
+  if (first != "true" && first != "false") {
     for (auto& value : values) value = fmt::format("\"{}\"", value);
   }
   values.front() = fmt::format("{} = {}", name, values.front());
-  const auto meaning = condition.meaning.empty() ? "" : fmt::format(" ({})", condition.meaning);
-  return joined(values, "or") + meaning;
+  return joined(values, "or");
 }
 
-/// For which methods and when a key exists; "" if always.
-std::string group_of(const KeyText& key) {
+/// The methods of every key of a table; empty if they differ.
+std::vector<std::string> methods_of_all(const std::vector<const KeyText*>& keys) {
+  const auto& methods = keys.front()->methods;
+  const auto same = [&](const auto* key) { return key->methods == methods; };
+  return std::all_of(keys.begin(), keys.end(), same) ? methods : std::vector<std::string>();
+}
+
+bool has_every_method(const std::vector<std::string>& methods) { return methods.size() == method_kinds().all().size(); }
+
+/// Where a key exists: the methods, if the table does not tell them, and the conditions.
+std::string where(const KeyText& key, bool with_methods) {
   std::string text;
-  if (key.methods.size() < method_kinds().all().size()) text = "Method " + joined(key.methods, "and");
-  for (std::size_t k = 0; k < key.conditions.size(); ++k) {
-    const auto* before = text.empty() ? "Where " : (k == 0 ? ", where " : " and ");
-    text += before + condition_text(key.conditions[k], table_of(key.key));
+  if (with_methods && !has_every_method(key.methods)) text = joined(key.methods, "and");
+  for (const auto& condition : key.conditions) {
+    text += (text.empty() ? "" : ", ") + condition_text(condition, table_of(key.key));
   }
-  return text.empty() ? "" : text + ":";
-}
-
-std::string row(const KeyText& key) {
-  std::string name = below_table(key.key);
-  for (auto& c : name) c = c == '|' ? '/' : c;
-  auto allowed = key.allowed;
-  for (auto bar = allowed.find(" | "); bar != std::string::npos; bar = allowed.find(" | "))
-    allowed.replace(bar, 3, ", ");
-  return fmt::format("| `{}` | {} | {} | {} | {} |\n", name, key.unit, key.required ? "required" : key.fallback,
-                     allowed, key.about);
-}
-
-std::string words_text(const KeyText& key) {
-  if (key.words.empty()) return "";
-  std::string text = fmt::format("\n| `{}` | |\n|---|---|\n", below_table(key.key));
-  for (const auto& [name, about] : key.words) text += fmt::format("| `\"{}\"` | {} |\n", name, about);
   return text;
 }
 
-/// The groups of keys of one table, in the order in which they are met.
-std::string table_text(const std::string& table, const std::vector<KeyText>& keys) {
-  std::vector<std::pair<std::string, std::vector<const KeyText*>>> groups;
-  for (const auto& key : keys) {
+std::string row(const KeyText& key, bool with_methods) {
+  auto allowed = key.allowed;
+  for (auto bar = allowed.find(" | "); bar != std::string::npos; bar = allowed.find(" | "))
+    allowed.replace(bar, 3, ", ");
+  return fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", below_table(key.key), where(key, with_methods), key.unit,
+                     key.required ? "required" : key.fallback, allowed, key.about);
+}
+
+/// What the words of a choice mean, of all entries of its key.
+std::string words_text(const std::string& name, const std::vector<const KeyText*>& keys) {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const auto* key : keys) {
+    if (key->key != name) continue;
+    for (const auto& word : key->words) {
+      if (std::find(all.begin(), all.end(), word) == all.end()) all.push_back(word);
+    }
+  }
+  if (all.empty()) return "";
+  std::string text = fmt::format("\n| `{}` | |\n|---|---|\n", below_table(name));
+  for (const auto& [word, about] : all) text += fmt::format("| `\"{}\"` | {} |\n", word, about);
+  return text;
+}
+
+std::string table_text(const std::string& table, const std::vector<KeyText>& all) {
+  std::vector<const KeyText*> keys;
+  std::vector<std::string> names;
+  for (const auto& key : all) {
     if (table_of(key.key) != table || repeats_contact(key.key)) continue;
-    const auto group = group_of(key);
-    auto place = std::find_if(groups.begin(), groups.end(), [&](const auto& one) { return one.first == group; });
-    if (place == groups.end()) place = groups.insert(groups.end(), {group, {}});
-    place->second.push_back(&key);
+    keys.push_back(&key);
+    if (std::find(names.begin(), names.end(), key.key) == names.end()) names.push_back(key.key);
   }
-  std::string text = heading(table) + "\n";
-  for (const auto& [group, rows] : groups) {
-    text += fmt::format("{}\n| key | unit | default | allowed | meaning |\n|---|---|---|---|---|\n",
-                        group.empty() ? "" : "\n" + group + "\n");
-    for (const auto* key : rows) text += row(*key);
-    for (const auto* key : rows) text += words_text(*key);
+  const auto methods = methods_of_all(keys);
+  std::string text = fmt::format("<!-- table: {} -->\n", title_of(table));
+  if (!methods.empty() && !has_every_method(methods)) text += fmt::format("For {} alone.\n\n", joined(methods, "and"));
+  text += "| key | where | unit | default | allowed | meaning |\n|---|---|---|---|---|---|\n";
+  for (const auto& name : names) {
+    for (const auto* key : keys) {
+      if (key->key == name) text += row(*key, methods.empty());
+    }
   }
+  for (const auto& name : names) text += words_text(name, keys);
   if (table == "pair[]") {
     text +=
         "\nBesides, `normal`, `tangential`, `rolling` and `cohesion` as under `[contact]`; what is left out is as "
         "there.\n";
   }
-  return text;
+  return text + "<!-- end -->\n";
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ struct KeyText {
 /// every choice.
 std::vector<KeyText> all_keys();
 
-/// The reference of scenes in Markdown: a table of keys for each table of a scene.
+/// The tables of docs/reference/scene.md: one of keys for each table of a scene, between the lines that mark it.
 std::string scene_reference();
 
 }  // namespace repose

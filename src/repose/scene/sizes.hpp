@@ -35,7 +35,7 @@ struct FixedSizes final : KindOf<FixedSizes, SizesKind> {
   double diameter = unset;  ///< [L]
 
   void keys(double d, Parameters& keys) override {
-    keys.number("diameter", diameter, {d, "d"}, positive, "L", "of all grains of the species");
+    keys.number("diameter", diameter, {d, "d"}, positive, "L", "diameter of all grains of the species");
   }
   double smallest() const override { return diameter; }
   double largest() const override { return diameter; }
@@ -122,8 +122,8 @@ struct TableSizes final : KindOf<TableSizes, ListedSizes> {
   std::vector<double> weights;
 
   void keys(double, Parameters& keys) override {
-    keys.numbers("diameters", diameters, "L", "of the grains");
-    keys.numbers("weights", weights, "", "share by number of each diameter");
+    keys.numbers("diameters", diameters, "L", "diameters of the grains");
+    keys.numbers("weights", weights, "", "fraction by number of each diameter");
   }
   void check(const std::string& prefix, Problems& problems) const override;
   SizeDistribution distribution() const override { return SizeDistribution::table(diameters, weights); }

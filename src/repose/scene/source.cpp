@@ -20,13 +20,13 @@ void start_keys(StartFrom& start, Parameters& keys) {
             "grains at the start: a run folder whose end it is, or a file of grains; relative to this file");
   if (start.from.empty()) return;
   keys.integer("start.step", start.step, {.low = -1}, "of the snapshot of a LAMMPS dump to start from; -1: the last");
-  keys.flag("start.at_rest", start.at_rest, "they begin without motion");
+  keys.flag("start.at_rest", start.at_rest, "they start without motion");
 }
 
 void placed_keys(Scene& scene, Parameters& keys) {
   table_keys(keys, "grain", scene.placed, [&](Parameters& entry, PlacedGrain& grain, std::size_t) {
     entry.vector("position", grain.position, std::nullopt, "L", "centre at the start");
-    entry.vector("velocity", grain.velocity, none, "L/T", "at the start");
+    entry.vector("velocity", grain.velocity, none, "L/T", "velocity at the start");
     entry.number("spin", grain.spin, any, "1/T", "angular velocity, counter-clockwise");
     entry.number("diameter", grain.diameter, {scene.grains.diameter, "d"}, positive, "L", "mass goes with its square");
     entry.flag("fixed", grain.fixed, "never moves nor turns");

@@ -19,13 +19,14 @@ void grain_keys(Scene& scene, Parameters& keys) {
   keys.number("grains.mass", grains.mass, {si ? required : 1.0, "1; must be given in SI"}, positive, "M",
               "m: of a grain of that diameter");
   keys.number("grains.polydispersity", grains.polydispersity, fraction, "", "p: diameters uniform in [(1 - p) d, d]");
-  keys.choice("grains.shares", grains.shares, {"number", "mass"}, "of what the shares of the [[species]] are shares");
+  keys.choice("grains.shares", grains.shares, {"number", "mass"},
+              "whether shares of [[species]] are fractions of the number or of the mass of the grains");
 }
 
 void species_keys(Scene& scene, Parameters& keys) {
   table_keys(keys, "species", scene.species, [&](Parameters& entry, Species& species, std::size_t k) {
-    entry.text("name", species.name, fmt::format("species {}", k), "of the species");
-    entry.number("share", species.share, positive, "", "of the grains, over the sum of all shares");
+    entry.text("name", species.name, {fmt::format("species {}", k), "\"species k\""}, "name of the species");
+    entry.number("share", species.share, positive, "", "fraction of the grains, over the sum of all shares");
     material_key("material", species.material, scene, entry);
     kind_key("sizes.kind", species.sizes, sizes_kinds(), any_kind, "fixed", "distribution of the diameters", entry);
     Prefixed below("sizes.", entry);
@@ -40,14 +41,14 @@ void check_species(const Scene& scene, Problems& problems) {
   if (!scene.species.empty() && grains.polydispersity > 0.0 && problems.sound("grains.polydispersity")) {
     problems.problem(
         "grains.polydispersity",
-        fmt::format(" = {}: must be 0 where there are species, which have sizes of their own", grains.polydispersity));
+        fmt::format(" = {}: must be 0 with [[species]], which have sizes of their own", grains.polydispersity));
   }
   std::set<std::string> names;
   for (std::size_t k = 0; k < scene.species.size(); ++k) {
     const auto& species = scene.species[k];
     const auto key = fmt::format("species[{}].name", k);
     if (!names.insert(species.name).second && problems.sound(key)) {
-      problems.problem(key, fmt::format(" = \"{}\": is taken", species.name));
+      problems.problem(key, fmt::format(" = \"{}\": is used twice", species.name));
     }
     species.sizes->check(fmt::format("species[{}].sizes.", k), problems);
   }

@@ -5,6 +5,10 @@
 #include "repose/scene/toml_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <vector>
 
 namespace repose {
 
@@ -31,19 +35,23 @@ struct TomlValue {
   }
 };
 
-/// "[L] between the centres", and of a choice what its words mean.
-std::string comment_on(const Parameters::Item& item) {
-  std::string text = item.unit.empty() ? "" : fmt::format("[{}] ", item.unit);
-  text += item.about;
-  if (const auto* choice = std::get_if<Parameters::Choice>(&item.value)) {
-    const auto* before = ": ";
-    for (const auto& word : choice->words) {
-      if (word.about.empty()) continue;
-      text += fmt::format("{}{} ({})", before, word.name, word.about);
-      before = ", ";
-    }
+/// ": hooke, hertz", or with meanings ": row (fixed discs side by side), none (nothing)"; "" if there is nothing to
+/// choose, or the text on the key has told it.
+std::string words_of(const Parameters::Choice& choice, std::string_view about) {
+  const auto told = [&](const Word& word) { return about.find(word.name) != std::string_view::npos; };
+  if (choice.words.size() < 2 || std::all_of(choice.words.begin(), choice.words.end(), told)) return "";
+  std::vector<std::string> words;
+  for (const auto& word : choice.words) {
+    words.push_back(word.about.empty() ? std::string(word.name) : fmt::format("{} ({})", word.name, word.about));
   }
-  return text;
+  return fmt::format(": {}", fmt::join(words, ", "));
+}
+
+/// "[L] between the centres".
+std::string comment_on(const Parameters::Item& item) {
+  const auto* choice = std::get_if<Parameters::Choice>(&item.value);
+  return fmt::format("{}{}{}", item.unit.empty() ? "" : fmt::format("[{}] ", item.unit), item.about,
+                     choice == nullptr ? "" : words_of(*choice, item.about));
 }
 
 /// The header of a table inside the present entry of a list: TOML names no places there.

@@ -26,8 +26,8 @@ struct Hertz {
 };
 
 inline void parameters(Hertz& law, Parameters& to, const LawScales& scales) {
-  to.number("stiffness", law.stiffness, 5000.0 * scales.weight / std::pow(scales.diameter, 1.5), positive,
-            "M/(L^(1/2) T^2)", "k of F = k overlap^(3/2)");
+  to.number("stiffness", law.stiffness, {5000.0 * scales.weight / std::pow(scales.diameter, 1.5), "5000 m g/d^(3/2)"},
+            positive, "M/(L^(1/2) T^2)", "k of F = k overlap^(3/2)");
   damping_parameters(law, to, scales);
 }
 

@@ -17,7 +17,7 @@ struct RowBase final : KindOf<RowBase, BaseKind> {
 
   void keys(const Scene& scene, Parameters& keys) override {
     keys.number("base.spacing", spacing, {scene.grains.diameter, "d"}, positive, "L",
-                "between the centres, one of them at x = 0");
+                "distance between the centres, one of them at x = 0");
     keys.number("base.half_width", half_width, required, positive, "L", "the row covers +- this");
     material_key("base.material", material, scene, keys);
   }

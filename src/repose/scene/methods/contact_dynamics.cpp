@@ -49,10 +49,10 @@ void ContactDynamicsMethod::check(const Scene& scene, Problems& problems) const 
   const double speed = limit && *limit < fall ? *limit : fall;
   if (speed * dt <= radius && scene.gravity * dt * dt <= radius) return;
   const auto* key = step ? "method.time_step" : "method.speed_limit";
-  problems.problem(key,
-                   fmt::format(": with the time step {:.4g} a grain at {:.4g}, by its fall or method.speed_limit, goes "
-                               "{:.3g} radii of the smallest grain in a step; at most 1",
-                               dt, speed, std::max(speed, scene.gravity * dt) * dt / radius));
+  problems.problem(
+      key, fmt::format(": with the time step {:.4g} a grain at speed {:.4g}, by its fall or method.speed_limit, moves "
+                       "{:.3g} radii of the smallest grain in a step; at most 1",
+                       dt, speed, std::max(speed, scene.gravity * dt) * dt / radius));
 }
 
 std::string ContactDynamicsMethod::describe(const Scene& scene) const {

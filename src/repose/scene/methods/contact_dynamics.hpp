@@ -24,11 +24,11 @@ struct ContactDynamicsMethod final : KindOf<ContactDynamicsMethod, MethodKind> {
     return {.impulse_laws = true, .contact_gap = 5e-4, .typical_speed = 1e5};
   }
   void keys(const Scene& scene, Parameters& keys) override {
-    keys.optional_number("method.time_step", step, {"auto", ""}, positive, "T",
-                         "\"auto\": g dt^2 is a tenth of the smallest radius, and no fall goes half of that in a step");
     keys.optional_number(
-        "method.critical_angle", rolling_angle, {"", "none"}, {.low = 0.0, .high = 90.0}, "deg",
-        "theta_c of deposition as a law: rolling friction tan(theta_c), 90 for infinite, and no sliding");
+        "method.time_step", step, {"auto", ""}, positive, "T",
+        "\"auto\": g dt^2 is a tenth of the smallest radius, and no grain falls half a radius in a step");
+    keys.optional_number("method.critical_angle", rolling_angle, {"", "none"}, {.low = 0.0, .high = 90.0}, "deg",
+                         "theta_c as a law of contacts: rolling friction tan(theta_c), infinite at 90, and no sliding");
     keys.optional_number(
         "method.speed_limit", fastest, {"auto", ""}, positive, "L/T",
         "no grain is faster before it meets others; \"auto\": g dt for a sequential source, else none");
@@ -37,9 +37,9 @@ struct ContactDynamicsMethod final : KindOf<ContactDynamicsMethod, MethodKind> {
     keys.number("method.tolerance", limits.tolerance, positive, "g dt",
                 "largest residual velocity of a contact; the true residual, computed apart from the solver");
     keys.integer("method.most_sweeps", limits.most_sweeps, {.low = 1},
-                 "forward and backward, before a step is given up");
+                 "sweeps forward and backward before a step is given up");
     keys.choice("method.unconverged", limits.unconverged, {"warn", "error"},
-                "steps given up are counted and reported, or stop the run");
+                "steps that are given up are counted and reported, or stop the run");
     keys.number("method.overlap_recovery", overlap_recovery, zero_to_one, "",
                 "fraction of an overlap that a step takes back");
     keys.number("method.skin", skin, {0.3 * scene.grains.diameter, "0.3 d"}, positive, "L",

@@ -23,12 +23,13 @@ class DropSource : public SourceKind {
     const double d = scene.grains.diameter;
     keys.integer("source.count", count, std::nullopt, {.low = 1}, "grains released in all");
     keys.number("source.rate", rate, required, positive, "1/T", "grains per time; the first at time 0");
-    keys.number("source.height", height, {100.0 * d, "100 d"}, positive, "L", "of the centres at release");
+    keys.number("source.height", height, {100.0 * d, "100 d"}, positive, "L", "height of the centres at release");
     keys.choice("source.height_above", height_above, {"base", "apex"},
                 "the height is above height 0, or above the highest grain that touches something at each release");
-    keys.number("source.half_width", half_width, usual_half_width(scene), not_negative, "L", "released at x +- this");
-    keys.number("source.x", x, any, "L", "middle of where they are released");
-    keys.vector("source.velocity", velocity, std::array<double, 2>{0.0, 0.0}, "L/T", "at release");
+    keys.number("source.half_width", half_width, usual_half_width(scene), not_negative, "L",
+                "grains are released at x +- this");
+    keys.number("source.x", x, any, "L", "centre of the opening");
+    keys.vector("source.velocity", velocity, std::array<double, 2>{0.0, 0.0}, "L/T", "velocity at release");
   }
   void check(const Scene& scene, Problems& problems) const override;
   std::int64_t released() const override { return count; }

@@ -18,14 +18,15 @@ struct LatticeSource final : KindOf<LatticeSource, SourceKind> {
   double jitter = 0.0;       ///< of a block: displacements over half a gap
 
   void keys(const Scene&, Parameters& keys) override {
-    keys.integer("source.rows", rows, std::nullopt, {.low = 1},
-                 "of a block, or of the 60-degree pile: as many grains in the lowest, one less in each above");
+    keys.integer(
+        "source.rows", rows, std::nullopt, {.low = 1},
+        "rows of a block, or of a 60-degree pile with as many grains in its lowest row and one less in each above");
     keys.integer("source.columns", columns, {.low = 0}, "grains in each row of a block; 0: a pile");
-    keys.number("source.x", x, any, "L", "of the apex, or of the middle of the block");
+    keys.number("source.x", x, any, "L", "place of the apex, or of the middle of the block");
     if (is_pile()) return;
-    keys.number("source.gap", gap, not_negative, "L", "between grains of the largest size");
+    keys.number("source.gap", gap, not_negative, "L", "gap between grains of the largest size");
     keys.number("source.jitter", jitter, zero_to_one, "",
-                "each grain is displaced by up to this times half the gap, so that none meet");
+                "each grain is displaced by up to this times half the gap, so that none touch");
   }
   void check(const Scene& scene, Problems& problems) const override;
   std::int64_t placed() const override { return rows * (columns > 0 ? columns : (rows + 1) / 2); }

@@ -26,10 +26,10 @@ struct SequentialSource final : KindOf<SequentialSource, SourceKind> {
                 "above the place where the grain first touches another or a wall on its way down");
     keys.number("source.half_width", half_width,
                 {of_base ? scene.base->reach(scene) : scene.box.half_width, "all of the base or box"}, not_negative,
-                "L", "released at x +- this");
-    keys.number("source.x", x, any, "L", "middle of where they are released");
+                "L", "grains are released at x +- this");
+    keys.number("source.x", x, any, "L", "centre of the places of release");
     keys.number("source.rest", rest, positive, "g dt",
-                "while all are at rest, no grain is faster and none turns its rim faster");
+                "all are at rest when no velocity and no rim velocity is above this");
   }
   void check(const Scene& scene, Problems& problems) const override;
   std::int64_t released() const override { return count; }
