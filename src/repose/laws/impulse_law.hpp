@@ -4,6 +4,7 @@
 
 #include "repose/core/errors.hpp"
 #include "repose/core/inline.hpp"
+#include "repose/core/reproducible_math.hpp"
 #include "repose/core/vec.hpp"
 
 #include <algorithm>
@@ -38,7 +39,7 @@ inline double friction_at(const ImpulseLaw& law, double slip) {
 /// Rolling friction with which a grain that does not slide stays on another up to this angle [deg] off upright.
 inline double rolling_friction_of(double critical_angle) {
   if (critical_angle >= 90.0) return std::numeric_limits<double>::infinity();
-  return std::tan(critical_angle * std::numbers::pi / 180.0);
+  return reproducible::tan(critical_angle * std::numbers::pi / 180.0);
 }
 
 /// Friction may carry this much under a normal impulse; nothing where there is none, be the coefficient infinite.

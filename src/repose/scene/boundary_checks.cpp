@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/core/reproducible_math.hpp"
 #include "repose/scene/checks.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@ namespace repose {
 namespace {
 
 void check_direction(const std::string& key, const std::array<double, 2>& vector, Reader& reader) {
-  if (std::hypot(vector[0], vector[1]) < 1e-100 && reader.sound(key)) {
+  if (reproducible::hypot(vector[0], vector[1]) < 1e-100 && reader.sound(key)) {
     reader.problem(key, fmt::format(" = [{}, {}]: must have a direction", vector[0], vector[1]));
   }
 }
@@ -24,7 +25,8 @@ void check_motion(const std::string& prefix, const Scene::Wall& wall, const Scen
   if (!feels || scene.method.rigid() || !reader.problems().empty()) return;
   // The piston on its spring, or between it and one grain: explicit steps are unstable beyond w dt = 2.
   const double step = scene.time_step();
-  const double contact = scene.grains.mass * std::pow(scene.contact_frequency(), 2);
+  const double frequency = scene.contact_frequency();
+  const double contact = scene.grains.mass * (frequency * frequency);
   const double phase = step * std::sqrt((wall.stiffness + contact) / wall.mass);
   if (phase <= 1.0) return;
   reader.problem(prefix + "mass",
@@ -125,7 +127,7 @@ void check_boundaries(const Scene& scene, Reader& reader) {
   for (std::size_t k = 0; k < scene.pieces.size(); ++k) {
     const auto& piece = scene.pieces[k];
     const auto prefix = fmt::format("wall[{}].", k);
-    const double length = std::hypot(piece.to[0] - piece.from[0], piece.to[1] - piece.from[1]);
+    const double length = reproducible::hypot(piece.to[0] - piece.from[0], piece.to[1] - piece.from[1]);
     if (length < 1e-6 * d && reader.sound(prefix + "from") && reader.sound(prefix + "to")) {
       reader.problem(prefix + "to", fmt::format(" = [{}, {}]: is where the wall begins", piece.to[0], piece.to[1]));
     }

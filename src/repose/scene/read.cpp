@@ -3,6 +3,7 @@
 #include "repose/scene/read.hpp"
 
 #include "repose/core/errors.hpp"
+#include "repose/core/reproducible_math.hpp"
 #include "repose/laws/time_step.hpp"
 #include "repose/scene/checks.hpp"
 #include "repose/scene/reader.hpp"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 namespace repose {
 
@@ -68,7 +70,7 @@ std::string apply(const std::string& setting, const std::string& origin, toml::t
 
 /// Four digits of x > 0, rounded down.
 double rounded_down(double x) {
-  const double digit = std::pow(10.0, std::floor(std::log10(x)) - 3.0);
+  const double digit = reproducible::pow(10.0, std::floor(reproducible::log(x) / std::numbers::ln10) - 3.0);
   return std::floor(x / digit) * digit;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/scene/scene.hpp"
 
+#include "repose/core/reproducible_math.hpp"
 #include "repose/laws/time_step.hpp"
 
 #include <algorithm>
@@ -73,7 +74,8 @@ std::uint16_t Scene::material_number(const std::string& name) const {
 
 double Scene::mass_of(double diameter, const std::string& material) const {
   const double density = materials.empty() ? 1.0 : materials[material_number(material)].density;
-  return density * grains.mass * std::pow(diameter / grains.diameter, 2);
+  const double size = diameter / grains.diameter;
+  return density * grains.mass * (size * size);
 }
 
 MaterialLaws Scene::material_laws() const {
@@ -131,7 +133,7 @@ double highest_fall(const Scene& scene) {
   const auto& source = scene.source;
   const auto& start = scene.start;
   const auto rise = [&](const std::array<double, 2>& velocity) {
-    return scene.gravity > 0.0 ? 0.5 * (std::pow(velocity[0], 2) + std::pow(velocity[1], 2)) / scene.gravity : 0.0;
+    return scene.gravity > 0.0 ? 0.5 * (velocity[0] * velocity[0] + velocity[1] * velocity[1]) / scene.gravity : 0.0;
   };
   double fall = std::max(scene.grains.diameter, start.fall);
   if (source.drops()) fall = std::max(start.fall, source.height + rise(source.velocity));
@@ -167,7 +169,8 @@ double Scene::fastest_fall() const {
   // Without gravity nothing falls, but what is placed flies.
   if (gravity > 0.0) return std::sqrt(2.0 * gravity * highest_fall(*this));
   double fastest = 0.0;
-  for (const auto& grain : placed) fastest = std::max(fastest, std::hypot(grain.velocity[0], grain.velocity[1]));
+  for (const auto& grain : placed)
+    fastest = std::max(fastest, reproducible::hypot(grain.velocity[0], grain.velocity[1]));
   return fastest;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/core/reproducible_math.hpp"
 #include "repose/scene/checks.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +14,7 @@ namespace repose {
 
 namespace {
 
-double normal_fraction(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
+double normal_fraction(double x) { return 0.5 * reproducible::erfc(-x / std::sqrt(2.0)); }
 
 /// Part of a normal or log-normal distribution that the cuts leave.
 double part_left(const Scene::Species::Sizes& sizes) {
@@ -22,8 +23,8 @@ double part_left(const Scene::Species::Sizes& sizes) {
            normal_fraction((sizes.low - sizes.mean) / sizes.deviation);
   }
   const auto logs = log_moments(sizes.mean, sizes.deviation);
-  return normal_fraction((std::log(sizes.high) - logs.mean) / logs.deviation) -
-         normal_fraction((std::log(sizes.low) - logs.mean) / logs.deviation);
+  return normal_fraction((reproducible::log(sizes.high) - logs.mean) / logs.deviation) -
+         normal_fraction((reproducible::log(sizes.low) - logs.mean) / logs.deviation);
 }
 
 void check_range(const std::string& prefix, const Scene::Species::Sizes& sizes, Reader& reader) {

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/core/reproducible_math.hpp"
 #include "repose/scene/key_groups.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace repose {
 
@@ -37,7 +37,7 @@ void size_keys(const std::string& prefix, Scene::Species::Sizes& sizes, double d
     } else {
       const auto logs = log_moments(sizes.mean, sizes.deviation);
       const double cut = usual_cut * logs.deviation;
-      cut_keys(prefix, sizes, std::exp(logs.mean - cut), std::exp(logs.mean + cut), keys);
+      cut_keys(prefix, sizes, reproducible::exp(logs.mean - cut), reproducible::exp(logs.mean + cut), keys);
     }
   } else {
     keys.numbers(prefix + "diameters", sizes.diameters, "L",

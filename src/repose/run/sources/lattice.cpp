@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/core/random.hpp"
+#include "repose/core/reproducible_math.hpp"
 #include "repose/run/setup.hpp"
 #include "repose/run/sources/draw.hpp"
 #include "repose/run/sources/initial.hpp"
@@ -66,7 +67,7 @@ void add_block(const Scene& scene, Grains<2>& grains, std::int64_t& id) {
       grain.position[1] = lowest + static_cast<double>(row) * rise;
       const double way = 0.5 * source.gap * source.jitter * uniform(seed, Purpose::lattice_place, index, 0);
       const double turn = 2.0 * std::numbers::pi * uniform(seed, Purpose::lattice_place, index, 1);
-      if (way > 0.0) grain.position += Vec<2>{{way * std::cos(turn), way * std::sin(turn)}};
+      if (way > 0.0) grain.position += Vec<2>{{way * reproducible::cos(turn), way * reproducible::sin(turn)}};
       grains.add(grain, id++, false, material);
     }
   }
