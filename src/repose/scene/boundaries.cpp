@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/scene/boundaries.hpp"
 
+#include "repose/core/reproducible_math.hpp"
 #include "repose/scene/keys.hpp"
 #include "repose/scene/scene.hpp"
 
@@ -58,7 +59,7 @@ void wall_keys(SceneWall& wall, const DefaultOf<std::string_view>& name, const S
 }
 
 void check_direction(const std::string& key, const std::array<double, 2>& vector, Problems& problems) {
-  if (std::hypot(vector[0], vector[1]) < 1e-100 && problems.sound(key)) {
+  if (reproducible::hypot(vector[0], vector[1]) < 1e-100 && problems.sound(key)) {
     problems.problem(key, fmt::format(" = [{}, {}]: must have a direction", vector[0], vector[1]));
   }
 }
@@ -71,7 +72,8 @@ void check_motion(const std::string& prefix, const SceneWall& wall, const Scene&
   // The piston on its spring, or between it and one grain: explicit steps are unstable beyond w dt = 2.
   const auto motion = wall.motion->motion();
   const double step = scene.time_step();
-  const double contact = scene.grains.mass * std::pow(scene.contact_frequency(), 2);
+  const double frequency = scene.contact_frequency();
+  const double contact = scene.grains.mass * (frequency * frequency);
   const double phase = step * std::sqrt((motion.stiffness + contact) / motion.mass);
   if (phase <= 1.0) return;
   problems.problem(prefix + "mass",
@@ -128,7 +130,7 @@ void check_pieces(const Scene& scene, Problems& problems) {
   for (std::size_t k = 0; k < scene.pieces.size(); ++k) {
     const auto& piece = scene.pieces[k];
     const auto prefix = fmt::format("wall[{}].", k);
-    const double length = std::hypot(piece.to[0] - piece.from[0], piece.to[1] - piece.from[1]);
+    const double length = reproducible::hypot(piece.to[0] - piece.from[0], piece.to[1] - piece.from[1]);
     if (length < 1e-6 * scene.grains.diameter && problems.sound(prefix + "from") && problems.sound(prefix + "to")) {
       problems.problem(prefix + "to", fmt::format(" = [{}, {}]: is where the wall begins", piece.to[0], piece.to[1]));
     }

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <numbers>
 
 namespace repose {
 

@@ -71,7 +71,8 @@ std::uint16_t Scene::material_number(const std::string& name) const {
 
 double Scene::mass_of(double diameter, const std::string& material) const {
   const double density = materials.empty() ? 1.0 : materials[material_number(material)].density;
-  return density * grains.mass * std::pow(diameter / grains.diameter, 2);
+  const double size = diameter / grains.diameter;
+  return density * grains.mass * (size * size);
 }
 
 MaterialLaws Scene::material_laws() const {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/scene/sizes.hpp"
 
+#include "repose/core/reproducible_math.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +18,7 @@ namespace {
 /// Deviations from the mean at which a bell is cut unless the scene says otherwise.
 constexpr double usual_deviations = 3.0;
 
-double normal_fraction(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
+double normal_fraction(double x) { return 0.5 * reproducible::erfc(-x / std::sqrt(2.0)); }
 
 void check_range(const std::string& prefix, double low, double high, bool may_be_equal, Problems& problems) {
   if (!problems.sound(prefix + "low") || !problems.sound(prefix + "high")) return;
@@ -89,14 +91,14 @@ double NormalSizes::part_left() const {
 BellSizes::Cut LogNormalSizes::usual_cut() const {
   const auto logs = log_moments(mean, deviation);
   const double cut = usual_deviations * logs.deviation;
-  return {std::exp(logs.mean - cut), std::exp(logs.mean + cut), "mean - 3 deviations of the logarithm",
-          "mean + 3 deviations of the logarithm"};
+  return {reproducible::exp(logs.mean - cut), reproducible::exp(logs.mean + cut),
+          "mean - 3 deviations of the logarithm", "mean + 3 deviations of the logarithm"};
 }
 
 double LogNormalSizes::part_left() const {
   const auto logs = log_moments(mean, deviation);
-  return normal_fraction((std::log(high) - logs.mean) / logs.deviation) -
-         normal_fraction((std::log(low) - logs.mean) / logs.deviation);
+  return normal_fraction((reproducible::log(high) - logs.mean) / logs.deviation) -
+         normal_fraction((reproducible::log(low) - logs.mean) / logs.deviation);
 }
 
 double ListedSizes::smallest() const {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/laws/time_step.hpp"
 
+#include "repose/core/reproducible_math.hpp"
 #include "repose/scene/scene.hpp"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ double highest_fall(const Scene& scene) {
 }  // namespace
 
 double Scene::rise(const std::array<double, 2>& velocity) const {
-  return gravity > 0.0 ? 0.5 * (std::pow(velocity[0], 2) + std::pow(velocity[1], 2)) / gravity : 0.0;
+  return gravity > 0.0 ? 0.5 * (velocity[0] * velocity[0] + velocity[1] * velocity[1]) / gravity : 0.0;
 }
 
 double Scene::contact_frequency() const {
@@ -71,7 +72,8 @@ double Scene::fastest_fall() const {
   // Without gravity nothing falls, but what is placed flies.
   if (gravity > 0.0) return std::sqrt(2.0 * gravity * highest_fall(*this));
   double fastest = 0.0;
-  for (const auto& grain : placed) fastest = std::max(fastest, std::hypot(grain.velocity[0], grain.velocity[1]));
+  for (const auto& grain : placed)
+    fastest = std::max(fastest, reproducible::hypot(grain.velocity[0], grain.velocity[1]));
   return fastest;
 }
 

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/scene/methods/soft.hpp"
 
+#include "repose/core/reproducible_math.hpp"
 #include "repose/laws/time_step.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace repose {
 
@@ -15,7 +17,7 @@ namespace {
 
 /// Four digits of x > 0, rounded down.
 double rounded_down(double x) {
-  const double digit = std::pow(10.0, std::floor(std::log10(x)) - 3.0);
+  const double digit = reproducible::pow(10.0, std::floor(reproducible::log(x) / std::numbers::ln10) - 3.0);
   return std::floor(x / digit) * digit;
 }
 

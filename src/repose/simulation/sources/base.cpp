@@ -51,7 +51,9 @@ void DepositedBase::add_grains(const Scene& scene, Grains<2>& grains, std::int64
   const GrainDraw draw(scene, Purpose::base_species, Purpose::base_size);
   std::vector<Grain<2>> discs;
   const auto step = [](const Grain<2>& a, const Grain<2>& b) {
-    return std::sqrt(std::pow(a.radius + b.radius, 2) - std::pow(a.position[1] - b.position[1], 2));
+    const double apart = a.radius + b.radius;
+    const double rise = a.position[1] - b.position[1];
+    return std::sqrt(apart * apart - rise * rise);
   };
   double end = 0.0;  // of the last disc, from the centre of the first, and in a periodic box back to the first
   for (std::uint64_t k = 0;; ++k) {

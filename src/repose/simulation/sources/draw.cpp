@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/simulation/sources/draw.hpp"
 
-#include <cmath>
-
 namespace repose {
 
 GrainDraw::GrainDraw(const Scene& scene, Purpose species, Purpose size)
@@ -40,7 +38,8 @@ DrawnGrain GrainDraw::operator()(std::uint64_t index) const {
   DrawnGrain drawn;
   drawn.material = kind.material;
   drawn.grain.radius = 0.5 * diameter;
-  drawn.grain.mass = kind.mass * std::pow(diameter / diameter_, 2);
+  const double size = diameter / diameter_;
+  drawn.grain.mass = kind.mass * (size * size);
   drawn.grain.inverse_mass = 1.0 / drawn.grain.mass;
   return drawn;
 }

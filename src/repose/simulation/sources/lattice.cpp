@@ -3,6 +3,7 @@
 #include "repose/scene/sources/lattice.hpp"
 
 #include "repose/core/random.hpp"
+#include "repose/core/reproducible_math.hpp"
 #include "repose/simulation/sources/draw.hpp"
 #include "repose/simulation/sources/initial.hpp"
 
@@ -59,7 +60,7 @@ void add_block(const LatticeSource& source, const Scene& scene, Grains<2>& grain
       grain.position[1] = lowest + static_cast<double>(row) * rise;
       const double way = 0.5 * source.gap * source.jitter * uniform(seed, Purpose::lattice_place, index, 0);
       const double turn = 2.0 * std::numbers::pi * uniform(seed, Purpose::lattice_place, index, 1);
-      if (way > 0.0) grain.position += Vec<2>{{way * std::cos(turn), way * std::sin(turn)}};
+      if (way > 0.0) grain.position += Vec<2>{{way * reproducible::cos(turn), way * reproducible::sin(turn)}};
       grains.add(grain, id++, false, material);
     }
   }
