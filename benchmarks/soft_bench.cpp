@@ -108,14 +108,14 @@ void pair_list_build(benchmark::State& state) {
   Team team(static_cast<int>(state.range(1)));
   method.grains_added(grains);
   method.refresh(grains, team);
-  double way = settings_of(start).skin;
+  double displacement = settings_of(start).skin;
   for (auto _ : state) {
     state.PauseTiming();
     for (std::size_t i = 0; i < grains.size(); ++i) {
       const double phase = static_cast<double>(grains.id[i]);
-      grains.line[i].position += Vec<2>{{std::cos(phase), std::sin(phase)}} * way;
+      grains.line[i].position += Vec<2>{{std::cos(phase), std::sin(phase)}} * displacement;
     }
-    way = -way;
+    displacement = -displacement;
     state.ResumeTiming();
     method.refresh(grains, team);
   }

@@ -76,9 +76,9 @@ def test_species(lab):
     assert ((diameter[coarse] >= 1.2) & (diameter[coarse] <= 1.6)).all()
     assert ((diameter[~coarse] >= 0.4) & (diameter[~coarse] <= 1.0)).all()
     assert np.allclose(mass, np.where(coarse, 0.6, 1.0) * diameter**2, rtol=1e-14)
-    share = mass[coarse].sum() / mass.sum()
+    fraction = mass[coarse].sum() / mass.sum()
     count = coarse.sum()
-    assert share == pytest.approx(0.5, abs=4 * 0.5 * 0.5 / np.sqrt(count) * 1.1)
+    assert fraction == pytest.approx(0.5, abs=4 * 0.5 * 0.5 / np.sqrt(count) * 1.1)
     out = np.abs(grains.moving("position")[:, 0])
     assert np.median(out[coarse]) > 1.2 * np.median(out[~coarse])
 
