@@ -81,7 +81,10 @@ Verb plot_verb() {
                          .value = "KINDS",
                          .about = "png, svg or both, separated by a comma (default: png,svg)",
                          .target = &options->format,
-                         .suggestions = {"png", "svg", "png,svg"}},
+                         .suggestions =
+                             [] {
+                               return std::vector<std::string>{"png", "svg", "png,svg"};
+                             }},
                         {.name = "--dpi",
                          .value = "N",
                          .about = "Resolution of PNG, 10 to 2400 (default: 200)",

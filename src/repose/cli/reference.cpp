@@ -13,7 +13,6 @@
 
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace repose {
@@ -34,6 +33,12 @@ constexpr Page pages[] = {
     {"sweep", [] { return markdown_of(sweep_reference()); }},
 };
 
+std::vector<std::string> names_of_pages() {
+  std::vector<std::string> names;
+  for (const auto& page : pages) names.emplace_back(page.name);
+  return names;
+}
+
 int act(const std::string& name) {
   for (const auto& page : pages) {
     if (name.empty()) fmt::print("{}\n", page.name);
@@ -49,15 +54,13 @@ int act(const std::string& name) {
 
 Verb reference_verb() {
   auto page = std::make_shared<std::string>();
-  std::vector<std::string> names;
-  for (const auto& known : pages) names.emplace_back(known.name);
   return {
       .name = "reference",
       .about = "Print the tables of a reference page as Markdown",
       .details =
           "The tables come from the lists by which the program reads scenes and writes files. Without PAGE "
           "the pages are listed.",
-      .arguments = {{.name = "PAGE", .about = "Name of a page", .target = page.get(), .suggestions = std::move(names)}},
+      .arguments = {{.name = "PAGE", .about = "Name of a page", .target = page.get(), .suggestions = names_of_pages}},
       .examples = {{"repose reference", "List the pages"},
                    {"repose reference scene", "Print every key of a scene: unit, default, bounds, meaning"}},
       .act = [page] { return act(*page); }};

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace repose {
@@ -24,6 +23,12 @@ std::string list_of_kinds() {
   return list;
 }
 
+std::vector<std::string> names_of_kinds() {
+  std::vector<std::string> names;
+  for (const auto& kind : starting_kinds()) names.push_back(kind.name);
+  return names;
+}
+
 int act(const std::string& kind) {
   fmt::print("{}", kind.empty() ? list_of_kinds() : starting_scene(kind));
   return 0;
@@ -33,13 +38,11 @@ int act(const std::string& kind) {
 
 Verb scene_verb() {
   auto kind = std::make_shared<std::string>();
-  std::vector<std::string> names;
-  for (const auto& known : starting_kinds()) names.push_back(known.name);
   return {
       .name = "scene",
       .about = "Print a commented scene to start from",
       .details = "Without KIND the kinds are listed.",
-      .arguments = {{.name = "KIND", .about = "Kind of scene", .target = kind.get(), .suggestions = std::move(names)}},
+      .arguments = {{.name = "KIND", .about = "Kind of scene", .target = kind.get(), .suggestions = names_of_kinds}},
       .examples = {{"repose scene", "List the kinds"},
                    {"repose scene heap > my-heap.toml", "Start a scene of a heap"},
                    {"repose check my-heap.toml", "See what it would run, after editing it"}},

@@ -91,19 +91,23 @@ int act(const TheoryOptions& options) {
   hand_over_to_python("repose.draw_theory", words);
 }
 
+std::vector<std::string> names_of_models() {
+  std::vector<std::string> names;
+  for (const auto& model : theory::default_models()) names.emplace_back(theory::text_of(model).name);
+  return names;
+}
+
 }  // namespace
 
 Verb theory_verb() {
   auto options = std::make_shared<TheoryOptions>();
-  std::vector<std::string> names;
-  for (const auto& model : theory::default_models()) names.emplace_back(theory::text_of(model).name);
   return {.name = "theory",
           .about = "Print or draw a stress model of the literature",
           .details = "--list names the models, their parameters with defaults and units, and their sources.",
           .arguments = {{.name = "MODEL",
                          .about = "Model to evaluate",
                          .target = &options->model,
-                         .suggestions = std::move(names)},
+                         .suggestions = names_of_models},
                         {.name = "--set",
                          .value = "KEY=VALUE",
                          .about = "Set a parameter of the model",

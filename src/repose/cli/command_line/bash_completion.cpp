@@ -12,7 +12,7 @@ namespace {
 /// The shell command that prints what an argument may be.
 std::string candidates(const Argument& argument) {
   if (!argument.choices.empty()) return fmt::format("_repose_words '{}'", fmt::join(argument.choices, " "));
-  if (!argument.suggestions.empty()) return fmt::format("_repose_words '{}'", fmt::join(argument.suggestions, " "));
+  if (argument.suggestions) return fmt::format("_repose_words '{}'", fmt::join(argument.suggestions(), " "));
   switch (argument.completes) {
     case Completion::scene_files:
       return "_repose_scenes";

@@ -32,10 +32,10 @@ struct Argument {
   std::string about{};
   Target target{};
   bool required = false;
-  bool shows_default = false;              ///< the help adds what the target holds before parsing
-  Bound bound{};                           ///< of a number
-  std::vector<std::string> choices{};      ///< words allowed; empty: all
-  std::vector<std::string> suggestions{};  ///< words that a shell offers; others are allowed
+  bool shows_default = false;                               ///< the help adds what the target holds before parsing
+  Bound bound{};                                            ///< of a number
+  std::vector<std::string> choices{};                       ///< words allowed; empty: all
+  std::function<std::vector<std::string>()> suggestions{};  ///< words that a shell offers; others are allowed
   Completion completes = Completion::nothing;
 
   bool is_option() const { return name.starts_with("--"); }

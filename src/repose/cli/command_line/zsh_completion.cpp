@@ -25,7 +25,7 @@ std::string escaped(const std::string& text) {
 
 std::string candidates(const Argument& argument) {
   if (!argument.choices.empty()) return fmt::format("({})", fmt::join(argument.choices, " "));
-  if (!argument.suggestions.empty()) return fmt::format("({})", fmt::join(argument.suggestions, " "));
+  if (argument.suggestions) return fmt::format("({})", fmt::join(argument.suggestions(), " "));
   switch (argument.completes) {
     case Completion::scene_files:
       return "_files -g \"*.toml\"";
