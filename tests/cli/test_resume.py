@@ -359,7 +359,7 @@ def test_a_damaged_checkpoint_is_reported_and_the_other_one_used(interrupted, cu
             path = lab.path / f"copy/checkpoints/{slot}.h5"
             path.write_bytes(damaged(path.read_bytes(), part, cut))
             result = resumed(lab, "copy")
-            assert re.search(rf"checkpoints/{slot}.h5: damaged.*going on from the other", result.stderr), result.stderr
+            assert re.search(rf"checkpoints/{slot}.h5: damaged.*resuming from the other", result.stderr), result.stderr
             assert_same_run(lab.path / "whole", lab.path / "copy")
 
 

@@ -2,24 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/cli/carry_out.hpp"
 
-#include "repose/cli/commands.hpp"
 #include "repose/cli/describe.hpp"
 #include "repose/cli/progress.hpp"
 #include "repose/cli/signals.hpp"
+#include "repose/cli/verbs.hpp"
 #include "repose/core/errors.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <thread>
 
 namespace repose {
-
-void add_threads(CLI::App& command, int& threads) {
-  command.add_option("--threads", threads, "Threads; the results do not depend on it (default: as useful)")
-      ->check(CLI::Range(1, 1024));
-}
 
 int threads_for(const Scene& scene, int wanted) {
   if (wanted > 0) return wanted;
@@ -43,7 +37,7 @@ int carry_out(Simulation& simulation, RunFolder& folder, bool quiet) {
   const bool stopped = simulation.status() == Status::interrupted;
   if (!quiet) {
     fmt::print("{}", result);
-    if (stopped) fmt::print("to go on         repose resume {}\n", folder.path());
+    if (stopped) fmt::print("to continue      repose resume {}\n", folder.path());
   }
   return stopped ? exit_interrupted : 0;
 }

@@ -38,7 +38,7 @@ std::string or_none(const std::optional<double>& value, const char* format) {
   return value ? fmt::format(fmt::runtime(format), *value) : "not defined";
 }
 
-/// How steps went that the solver gave up.
+/// Mean sweeps per step, and a warning if steps did not converge.
 std::string describe_solver(const Record& record) {
   const auto* solver = record.scene.method->solver();
   if (solver == nullptr) return "";
@@ -49,7 +49,7 @@ std::string describe_solver(const Record& record) {
   if (all.unconverged > 0) {
     text += fmt::format(
         "warning          {} of {} steps did not converge within method.most_sweeps = {}: worst residual {:.2g} g dt, "
-        "method.tolerance = {:g}; packings creep while that lasts\n",
+        "method.tolerance = {:g}; a packing creeps while that lasts\n",
         all.unconverged, all.steps, solver->most_sweeps, all.worst_residual, solver->tolerance);
   }
   return text;
@@ -100,7 +100,7 @@ std::string describe_contacts(const Scene& scene) {
   const double step = scene.time_step();
   const double weight = scene.grain_weight();
   const double column = scene.expected_column();
-  // Of a fall of one diameter; without gravity, of a diameter in the time of the automatic step.
+  // The speed after a fall of one diameter; without gravity, a thousandth of a diameter in a time step.
   const double speed = scene.gravity > 0.0 ? std::sqrt(2.0 * scene.gravity * d) : 1e-3 * d / step;
   std::string text = fmt::format(
       "contacts         grains of {:g} that meet at {:.3g}; overlaps at rest in diameters, a column of {:.0f} grains\n",
@@ -150,7 +150,7 @@ std::string describe_result(const Record& record, const Results& results) {
   if (!results.packing_problem.empty())
     text += fmt::format("packing          not measured: {}\n", results.packing_problem);
   if (!record.scene.method->traits().has_forces()) {
-    return text + fmt::format("deepest overlap  {:.2g} diameters; {} discs do not rest by the rule\n",
+    return text + fmt::format("deepest overlap  {:.2g} diameters; {} discs break the rule of rest\n",
                               results.max_overlap, results.breaking_rule);
   }
   const auto& heap = results.heap;

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repose/cli/commands.hpp"
+#include "repose/cli/verbs.hpp"
 #include "repose/scene/starting_scene.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace repose {
 
@@ -23,16 +23,30 @@ std::string list_of_kinds() {
   return list;
 }
 
+std::vector<std::string> names_of_kinds() {
+  std::vector<std::string> names;
+  for (const auto& kind : starting_kinds()) names.push_back(kind.name);
+  return names;
+}
+
+int act(const std::string& kind) {
+  fmt::print("{}", kind.empty() ? list_of_kinds() : starting_scene(kind));
+  return 0;
+}
+
 }  // namespace
 
-Command add_scene(CLI::App& app) {
+Verb scene_verb() {
   auto kind = std::make_shared<std::string>();
-  auto* command = app.add_subcommand("scene", "Print a commented scene to begin with; without KIND, list the kinds");
-  command->add_option("KIND", *kind, "kind of scene, as in `repose scene heap > heap.toml`");
-  return {command, [kind] {
-            fmt::print("{}", kind->empty() ? list_of_kinds() : starting_scene(*kind));
-            return 0;
-          }};
+  return {
+      .name = "scene",
+      .about = "Print a commented scene to start from",
+      .details = "Without KIND the kinds are listed.",
+      .arguments = {{.name = "KIND", .about = "Kind of scene", .target = kind.get(), .suggestions = names_of_kinds}},
+      .examples = {{"repose scene", "List the kinds"},
+                   {"repose scene heap > my-heap.toml", "Start a scene of a heap"},
+                   {"repose check my-heap.toml", "See what it would run, after editing it"}},
+      .act = [kind] { return act(*kind); }};
 }
 
 }  // namespace repose
