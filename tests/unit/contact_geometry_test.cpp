@@ -52,12 +52,12 @@ TEST(ContactGeometry, WithAWall) {
   const WallNow<2> now{{{0.0, 0.6}}, {}, true};
   const auto rough = contact_with_wall(grains, 0, walls, 0, now, Box<2>{});
   EXPECT_EQ(rough.first, 7);
-  EXPECT_EQ(rough.second, plane_partner(0));
+  EXPECT_EQ(rough.second, wall_partner(0));
   EXPECT_NEAR(rough.overlap, 0.1, 1e-15);
   EXPECT_NEAR(rough.relative_overlap, 0.1, 1e-15);
   EXPECT_EQ(rough.normal[1], 1.0);
   const auto smooth = contact_with_wall(grains, 0, walls, 1, now, Box<2>{});
-  EXPECT_EQ(smooth.second, plane_partner(1));
+  EXPECT_EQ(smooth.second, wall_partner(1));
   EXPECT_NEAR(smooth.overlap, 0.6, 1e-15);
 }
 

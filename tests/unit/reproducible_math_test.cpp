@@ -235,7 +235,7 @@ TEST(ReproducibleMath, Bits) {
   EXPECT_EQ(fingerprint(reproducible::inverse_erfc, {0.0, 2.0}), 0x006f66153bd7b085U);
 }
 
-// Of whole numbers of 53 bits, sums and products are exact in 128 bits.
+// Sums and products of whole numbers of 53 bits are exact in 128 bits.
 TEST(DoubleDouble, SumsAndProductsAreExact) {
   __extension__ using Wide = __int128;
   for (std::uint64_t k = 0; k < 10000; ++k) {

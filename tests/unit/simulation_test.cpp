@@ -14,7 +14,7 @@
 #include <limits>
 #include <stdexcept>
 
-// A run is the same to the bit however it is divided into advances, whoever observes it, and across a checkpoint.
+// A run has the same bits for every division into advances, with and without observers, and across a checkpoint.
 
 namespace repose {
 namespace {
@@ -104,7 +104,7 @@ struct Seen {
   std::vector<double> heights;
   std::vector<double> forces;
 
-  void look(const Simulation& simulation) {
+  void record(const Simulation& simulation) {
     double height = 0.0;
     for (const auto k : by_id(simulation.grains())) height += simulation.grains().line[k].position[1];
     double force = 0.0;
@@ -171,8 +171,8 @@ TEST(Simulation, PiecesAndObserversLeaveTheBits) {
       auto pieces = make(one, threads);
       Seen often;
       Seen seldom;
-      pieces.observe_every(1.7 * pieces.time_step(), [&](const Simulation& s) { often.look(s); });
-      pieces.observe_every(37.0 * pieces.time_step(), [&](const Simulation& s) { seldom.look(s); });
+      pieces.observe_every(1.7 * pieces.time_step(), [&](const Simulation& s) { often.record(s); });
+      pieces.observe_every(37.0 * pieces.time_step(), [&](const Simulation& s) { seldom.record(s); });
       advance_in_pieces(pieces, forever, static_cast<std::uint64_t>(threads));
       expect_same(record, pieces.record(), std::to_string(threads) + " threads, in pieces");
       for (std::size_t k = 0; k < seldom.times.size(); ++k) {
@@ -193,12 +193,12 @@ TEST(Simulation, PiecesAcrossACheckpointLeaveTheBits) {
     auto whole = make(one, 1);
     Seen undisturbed;
     const double interval = 11.0 * whole.time_step();
-    whole.observe_every(interval, [&](const Simulation& s) { undisturbed.look(s); });
+    whole.observe_every(interval, [&](const Simulation& s) { undisturbed.record(s); });
     whole.run();
     for (const double part : {0.0, 0.21, 0.777}) {
       auto first = make(one, 2);
       Seen seen;
-      first.observe_every(interval, [&](const Simulation& s) { seen.look(s); });
+      first.observe_every(interval, [&](const Simulation& s) { seen.record(s); });
       advance_in_pieces(first, part * whole.time(), 5);
       first.advance(part * whole.time());
       testing::MemoryArchive archive;
@@ -208,7 +208,7 @@ TEST(Simulation, PiecesAcrossACheckpointLeaveTheBits) {
       second.exchange(archive);
       second.restored(first.track());
       EXPECT_EQ(second.time(), first.time());
-      second.observe_every(interval, [&](const Simulation& s) { seen.look(s); });
+      second.observe_every(interval, [&](const Simulation& s) { seen.record(s); });
       advance_in_pieces(second, forever, 6);
       expect_same(whole.record(), second.record(), "a checkpoint at " + std::to_string(first.time()));
       EXPECT_EQ(seen.times, undisturbed.times);
