@@ -25,23 +25,10 @@ NOT_YET = [
     "docs/reference/summary.md",
     "examples",
     "python",
-    "src/repose/api",
     "src/repose/cli",
-    "src/repose/comparison",
-    "src/repose/contact_problem",
     "src/repose/core/parameters",
-    "src/repose/io/columns",
-    "src/repose/io/csv_tables",
-    "src/repose/io/hdf5_file",
-    "src/repose/io/state",
-    "src/repose/methods/method.hpp",
-    "src/repose/record",
-    "src/repose/results",
-    "src/repose/run_folder",
+    "src/repose/laws/normal/damping",
     "src/repose/scene",
-    "src/repose/simulation",
-    "src/repose/sweep",
-    "src/repose/theory/read_settings",
 ]
 FOLDERS = ["benchmarks", "docs", "examples", "python", "src", "tests", "tools"]
 CPP = {".cpp", ".hpp", ".h"}
@@ -138,7 +125,8 @@ def parts_of_cpp(text):
         line += text.count("\n", position, found.start())
         position = found.start()
         if found["name"]:
-            parts.names.append((line, found["name"]))
+            if not re.search(r"(\.|->)$", text[max(0, position - 2) : position]):  # a member is reported where declared
+                parts.names.append((line, found["name"]))
         elif found["line"] is not None:
             parts.add_prose(line, re.sub(r"^/?!?<?\s*", "", found["line"]), COMMENT)
         else:
@@ -286,7 +274,7 @@ def check(root):
 
 # The self-test: files with and without violations; each violation must be found, and nothing else.
 RIGHT = {
-    "src/repose/core/a.hpp": '// The run resumes. Course of action: go one way.\nint displacement = 0;  ///< of the wall\n',
+    "src/repose/core/a.hpp": '// The run resumes. Course of action: go one way.\nint displacement = one.share;  ///< of the wall\n',
     "src/repose/core/b.cpp": '/* The share price. */ f("spelled out tests/unit/x.cpp", R"(a way of looking)");\n',
     "src/repose/scene/c.cpp": "// Of the scene: it goes on anew.\nint share = 0;\n",
     "tests/unit/a_test.cpp": "TEST(Law, Holds) {}\nTEST_F(Law, HoldsToo) {}\nTEST_P(Other, Case) {}\n",

@@ -33,7 +33,7 @@ TEST(ContactGeometry, OfGrains) {
   EXPECT_EQ(contact.normal_force, 0.0);
 }
 
-TEST(ContactGeometry, OfGrainsOverTheEndsOfAPeriodicBox) {
+TEST(ContactGeometry, OfGrainsAcrossAPeriodicBoundary) {
   Box<2> box;
   box.periodic = true;
   box.x_min = -10.0;
@@ -43,7 +43,7 @@ TEST(ContactGeometry, OfGrainsOverTheEndsOfAPeriodicBox) {
   EXPECT_NEAR(contact.normal[0], -1.0, 1e-15);
 }
 
-// A smooth wall stands for a row of grain centres: it is met at a whole diameter.
+// A smooth wall stands for a row of grain centres: a grain touches it at a whole diameter.
 TEST(ContactGeometry, WithAWall) {
   const auto grains = two_discs({{0.0, 5.0}});
   std::vector<Wall<2>> walls(2);

@@ -58,9 +58,9 @@ void add_block(const LatticeSource& source, const Scene& scene, Grains<2>& grain
       auto [grain, material] = draw(index);
       grain.position[0] = first + (static_cast<double>(k) + (row % 2 == 1 ? 0.5 : 0.0)) * pitch;
       grain.position[1] = lowest + static_cast<double>(row) * rise;
-      const double way = 0.5 * source.gap * source.jitter * uniform(seed, Purpose::lattice_place, index, 0);
+      const double shift = 0.5 * source.gap * source.jitter * uniform(seed, Purpose::lattice_place, index, 0);
       const double turn = 2.0 * std::numbers::pi * uniform(seed, Purpose::lattice_place, index, 1);
-      if (way > 0.0) grain.position += Vec<2>{{way * reproducible::cos(turn), way * reproducible::sin(turn)}};
+      if (shift > 0.0) grain.position += Vec<2>{{shift * reproducible::cos(turn), shift * reproducible::sin(turn)}};
       grains.add(grain, id++, false, material);
     }
   }
