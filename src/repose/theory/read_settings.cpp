@@ -93,9 +93,13 @@ void SettingsReader::read(const Item& item, const std::string& written, const Te
   text.value = written;
 }
 
+std::string problem_of(std::string_view model, std::string_view problem) {
+  return fmt::format("{}: {}", model, problem);
+}
+
 std::vector<std::string> SettingsReader::problems(std::string_view model) const {
   std::vector<std::string> all;
-  for (const auto& problem : problems_) all.push_back(fmt::format("{}: {}", model, problem));
+  for (const auto& problem : problems_) all.push_back(problem_of(model, problem));
   for (const auto& [name, value] : settings_) {
     if (!known_.contains(name)) {
       all.push_back(fmt::format("{}: {}: no such parameter; must be {}", model, name, fmt::join(known_, " | ")));

@@ -41,6 +41,9 @@ class SettingsReader final : public Parameters {
   std::vector<std::string> problems_;
 };
 
+/// "MODEL: PROBLEM", as a message lists it.
+std::string problem_of(std::string_view model, std::string_view problem);
+
 /// Throws InputError with a line for every problem. What parameters must obey together is asked of
 /// `relations(model)`, a list of problems, where the model has one and each parameter is right by itself.
 template <class M>
@@ -50,7 +53,7 @@ void read_settings(M& model, const std::vector<std::pair<std::string, std::strin
   auto problems = reader.problems(M::text.name);
   if constexpr (requires { relations(model); }) {
     if (problems.empty()) {
-      for (const auto& problem : relations(model)) problems.push_back(std::string{M::text.name} + ": " + problem);
+      for (const auto& problem : relations(model)) problems.push_back(problem_of(M::text.name, problem));
     }
   }
   if (!problems.empty()) throw InputError(problems);
