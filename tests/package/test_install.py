@@ -142,6 +142,20 @@ def test_nothing_installed_names_the_build_or_the_source(prefix):
             assert str(SOURCE).encode() not in text and str(BUILD).encode() not in text, file
 
 
+def test_the_example_in_cpp_builds_and_pours_the_heap_of_the_program(program, prefix, elsewhere):
+    """`find_package` finds the installed library; its heap has the angle that the program measures."""
+    shutil.copytree(prefix / "share/repose/examples/cpp", elsewhere / "cpp")
+    done("cmake", "-S", "cpp", "-B", "cpp/build", f"-DCMAKE_PREFIX_PATH={prefix}", cwd=elsewhere)
+    done("cmake", "--build", "cpp/build", cwd=elsewhere)
+    lines = done("cpp/build/heap", cwd=elsewhere).splitlines()
+    assert re.fullmatch(r"time  10.0: +\d+ grains, +\d+ contacts", lines[0]) and len(lines) == 8
+    keys = re.findall(r'\.set\("(\S+)", (.*)\)$', (elsewhere / "cpp/heap.cpp").read_text(), flags=re.M)
+    (elsewhere / "same.toml").write_text("".join(f"{key} = {value}\n" for key, value in keys))
+    done(program, "run", "same.toml", "--out", "same", "--quiet", cwd=elsewhere)
+    angle = json.loads((elsewhere / "same/summary.json").read_text())["angle_of_repose_deg"]["mean"]
+    assert lines[-1] == f"angle of repose {angle:.1f} degrees"
+
+
 def files_below(folder):
     return {str(file.relative_to(folder)) for file in folder.rglob("*") if file.is_file()}
 
