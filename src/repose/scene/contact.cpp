@@ -63,7 +63,7 @@ TangentialLaw with_friction(TangentialLaw law, double friction) {
   return law;
 }
 
-/// The laws of a pair of materials. A kind of law of which nothing is said is as in `like`.
+/// The laws of a pair of materials. A kind of law that the pair does not give is as in `like`.
 void force_law_keys(MaterialContact& contact, const MaterialContact* like, const Scene& scene, Parameters& keys) {
   const auto scales = scales_of(scene, contact.friction);
   const auto own = [&](std::string_view kind) { return like == nullptr || keys.given(kind); };

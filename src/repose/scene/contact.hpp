@@ -20,7 +20,7 @@ struct MaterialContact {
   TangentialLaw tangential;
   RollingLaw rolling;
   CohesionLaw cohesion;
-  /// Of rigid grains, instead of those above.
+  /// The law of rigid grains, instead of those above.
   ImpulseLaw impulse{.restitution = unset,
                      .tangential_restitution = unset,
                      .friction = unset,

@@ -20,13 +20,13 @@ void grain_keys(Scene& scene, Parameters& keys) {
               "m: of a grain of that diameter");
   keys.number("grains.polydispersity", grains.polydispersity, fraction, "", "p: diameters uniform in [(1 - p) d, d]");
   keys.choice("grains.shares", grains.shares, {"number", "mass"},
-              "whether shares of [[species]] are fractions of the number or of the mass of the grains");
+              "whether species.share is a fraction of the number or of the mass of the grains");
 }
 
 void species_keys(Scene& scene, Parameters& keys) {
   table_keys(keys, "species", scene.species, [&](Parameters& entry, Species& species, std::size_t k) {
     entry.text("name", species.name, {fmt::format("species {}", k), "\"species k\""}, "name of the species");
-    entry.number("share", species.share, positive, "", "fraction of the grains, over the sum of all shares");
+    entry.number("share", species.fraction, positive, "", "fraction of the grains, over the sum of all shares");
     material_key("material", species.material, scene, entry);
     kind_key("sizes.kind", species.sizes, sizes_kinds(), any_kind, "fixed", "distribution of the diameters", entry);
     Prefixed below("sizes.", entry);
@@ -56,8 +56,8 @@ void check_species(const Scene& scene, Problems& problems) {
 
 std::string describe_species(const Species& species, const Scene& scene) {
   const auto& sizes = *species.sizes;
-  return fmt::format("species          {}: share {:g} by {}, {}, diameters {:g} to {:g}\n", species.name, species.share,
-                     scene.grains.shares, sizes.describe(), sizes.smallest(), sizes.largest());
+  return fmt::format("species          {}: share {:g} by {}, {}, diameters {:g} to {:g}\n", species.name,
+                     species.fraction, scene.grains.fractions_by, sizes.describe(), sizes.smallest(), sizes.largest());
 }
 
 }  // namespace repose

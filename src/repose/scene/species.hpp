@@ -14,17 +14,17 @@ struct Scene;
 
 /// The grains of a scene without species, and the grain that masses refer to.
 struct GrainSizes {
-  double diameter = unset;        ///< [L] the largest, and that of base grains
-  double mass = unset;            ///< [M] of a grain of that diameter
-  double polydispersity = 0.0;    ///< p: sizes uniform in [(1 - p) d, d]
-  std::string shares = "number";  ///< the shares of species are by "number" or "mass"
+  double diameter = unset;              ///< [L] the largest, and that of base grains
+  double mass = unset;                  ///< [M] of a grain of that diameter
+  double polydispersity = 0.0;          ///< p: sizes uniform in [(1 - p) d, d]
+  std::string fractions_by = "number";  ///< fractions of species are by "number" or "mass"
 };
 
 /// Grains of one material, with a distribution of sizes.
 struct Species {
   std::string name;
   std::string material;
-  double share = 1.0;  ///< over the sum of all shares
+  double fraction = 1.0;  ///< over the sum of all shares
   Chosen<SizesKind> sizes;
 };
 

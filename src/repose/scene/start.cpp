@@ -81,7 +81,7 @@ void check_grains(const StartState& state, const Scene& scene, Reader& reader) {
 void look_at_start(Scene& scene, Reader& reader, const std::string& folder) {
   auto& start = scene.start;
   if (start.from.empty()) return;
-  // What is said on the command line is meant from where the command is given.
+  // A path on the command line is relative to the current folder.
   const fs::path beside = reader.from_command_line("start.from") ? fs::path() : fs::path(folder);
   start.path = start_file((beside / start.from).string());
   try {

@@ -57,7 +57,7 @@ std::string starting_scene(std::string_view kind) {
   show_keys(scene, reader);
   Writer writer([&](const auto& item) {
     if (reader.given(item.name)) return Writer::Line::full;
-    // Of the entries of a list, the first shows what else there is.
+    // The first entry of a list shows the keys that it could have besides.
     const auto entry = item.name.find('[');
     const bool later = entry != std::string_view::npos && item.name.substr(entry, 3) != "[0]";
     return later ? Writer::Line::none : Writer::Line::comment;

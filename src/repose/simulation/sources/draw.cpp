@@ -20,7 +20,7 @@ GrainDraw::GrainDraw(const Scene& scene, Purpose species, Purpose size)
     const auto sizes = one.sizes->distribution();
     const double mass = scene.mass_of(d, one.material);
     // The share by number is the share by mass over the mean mass.
-    sum += scene.grains.shares == "mass" ? one.share / (mass * sizes.mean_square() / (d * d)) : one.share;
+    sum += scene.grains.fractions_by == "mass" ? one.fraction / (mass * sizes.mean_square() / (d * d)) : one.fraction;
     kinds_.push_back({sizes, scene.material_number(one.material), mass, sum});
   }
   for (auto& kind : kinds_) kind.below /= sum;
