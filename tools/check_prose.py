@@ -229,7 +229,7 @@ class Tests:
 
 def problems_of(path, file, tests):
     parts = parts_of(file, file.read_text(encoding="utf-8"))
-    found = word_problems(parts, path.startswith("tests/"))
+    found = list(word_problems(parts, path.startswith("tests/")))
     for first, text, kind in parts.prose:
         for offset, problem in tests.problems(text, file.suffix == ".md") if kind != MESSAGE else []:
             found.append((first + text.count("\n", 0, offset), problem))
