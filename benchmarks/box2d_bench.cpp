@@ -23,7 +23,7 @@ constexpr int velocity_iterations = 50;
 constexpr int position_iterations = 3;
 constexpr int steps_to_settle = 600;
 constexpr int steps_to_time = 40;
-constexpr float long_way = 1000.0f;
+constexpr float half_length = 1000.0f;
 
 double cpu_time() {
   timespec now{};
@@ -51,7 +51,7 @@ void add_wall(b2World& world, const b2Vec2& point, const b2Vec2& normal) {
   const b2Vec2 middle = point - b2_polygonRadius * normal;
   const b2Vec2 along(-normal.y, normal.x);
   b2EdgeShape shape;
-  shape.SetTwoSided(middle - long_way * along, middle + long_way * along);
+  shape.SetTwoSided(middle - half_length * along, middle + half_length * along);
   b2FixtureDef fixture;
   fixture.shape = &shape;
   fixture.friction = friction;

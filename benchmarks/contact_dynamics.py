@@ -220,7 +220,7 @@ def main():
     peers = find_peers(options.build)
     load = os.getloadavg()[0]
     if load > 0.5:
-        print(f"Other work was or is going on here (load {load:.1f}).")
+        print(f"Other programs use this machine (load {load:.1f}).")
     with tempfile.TemporaryDirectory() as folder:
         beds = {discs: Bed(os.path.join(options.build, "repose"), folder, discs) for discs in ROWS}
         rounds = [one_round(beds, options, peers, ("warm", "cold"))]

@@ -170,7 +170,7 @@ def main():
             return 0 if compare_physics(physics, peer, bed, folder) else 1
         load = os.getloadavg()[0]
         if load > 0.5:
-            print(f"Other work was or is going on here (load {load:.1f}): the ratio of threads suffers from it.\n")
+            print(f"Other programs use this machine (load {load:.1f}): the ratio of threads suffers from it.\n")
         print_cases(bench(program, "bed_hooke|heap|build/copies:1/" if options.quick else "."))
         if not options.quick:
             compare_threads(program, rounds)

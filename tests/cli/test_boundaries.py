@@ -28,8 +28,8 @@ def wall_names(out):
 # A disc rolls from rest with the acceleration 2/3 g sin(20 deg), so by 1/3 g sin t^2 after t; the step adds a part in 3000.
 def test_incline(lab):
     grains = Grains(example(lab, "incline") / "run.h5")
-    way = np.hypot(*(grains.position[0] - [60.0, 22.3695]))
-    assert way == pytest.approx(math.sin(math.radians(20)) / 3 * 15.0**2, rel=1e-3)
+    displacement = np.hypot(*(grains.position[0] - [60.0, 22.3695]))
+    assert displacement == pytest.approx(math.sin(math.radians(20)) / 3 * 15.0**2, rel=1e-3)
 
 
 # Slip ends at V = 3 mu g t with v = V / 3 (see the unit test). Friction dissipates half of the work of the belt; the other
@@ -55,9 +55,9 @@ def test_piston(lab):
     assert -(base + left + right)[1] == pytest.approx(weight + 160.0, abs=1e-3)
     assert abs((base + left + right + piston)[0]) < 1e-3
     assert left[0] < -20.0 and right[0] > 20.0
-    way = found["/series/wall_displacement"]
-    assert (way[:, :3] == 0.0).all()
-    assert (way[found["/series/time"] <= 60.0, 3] == 0.0).all() and 40.0 < way[-1, 3] < 55.0
+    displacement = found["/series/wall_displacement"]
+    assert (displacement[:, :3] == 0.0).all()
+    assert (displacement[found["/series/time"] <= 60.0, 3] == 0.0).all() and 40.0 < displacement[-1, 3] < 55.0
 
 
 # The energy budget closes to second order in the step (docs/physics/soft.md): half the step leaves a quarter of the error.
@@ -121,10 +121,10 @@ def test_point_load(lab):
 def test_pushed_column_moves_with_its_spring(lab):
     out = example(lab, "pushed-column", "--set", "stop.time=160")
     found = datasets(out / "run.h5")
-    way, time = found["/series/wall_displacement"][:, 2], found["/series/time"]
+    displacement, time = found["/series/wall_displacement"][:, 2], found["/series/time"]
     late = time > 120.0
     # The far end has moved by 0.05 (t - 60); the spring is compressed by the push of the column.
-    lag = 0.05 * (time - 60.0) - way
+    lag = 0.05 * (time - 60.0) - displacement
     assert np.allclose(500.0 * lag[late], -found["/series/wall_force_y"][late, 2], rtol=0.2, atol=10.0)
     assert (-found["/series/wall_force_y"][late, 2] > 1.05 * Grains(out / "run.h5").mass.sum()).all()
 
@@ -168,7 +168,7 @@ WRONG = {
     "mass of a fixed wall": (MOVING + "mass = 1\n", "wall[0].mass: unknown key"),
     "upright plane in a periodic box": ("[box]\nx = 'periodic'\n[[plane]]\npoint = [0, 0]\nnormal = [1, 1]\n" + MOVING,
                                         "plane[0].normal = [1, 1]: a plane must be level in a periodic box"),
-    "name twice": (MOVING + "name = 'a'\n[[wall]]\nfrom = [0, 5]\nto = [1, 5]\nname = 'a'\n", "wall[1].name = \"a\": is taken"),
+    "name twice": (MOVING + "name = 'a'\n[[wall]]\nfrom = [0, 5]\nto = [1, 5]\nname = 'a'\n", "wall[1].name = \"a\": is used twice"),
     "load without force": (MOVING + "[[load]]\ngrain = 0\n", "load[0].force: missing"),
     "load of nothing": (MOVING + "[[load]]\nforce = [0, 0]\n", "load[0].force = [0, 0]: must have a direction"),
     "opening before the start": (MOVING + "opens_at = -1\n", "wall[0].opens_at = -1: must be >= 0"),

@@ -124,9 +124,9 @@ position = [3, 0.5]
 time = 2
 """)
     with h5py.File(folder / "run.h5") as file:
-        way = file["series/wall_displacement"][-1]
+        displacement = file["series/wall_displacement"][-1]
     # Leapfrog is exact at whole steps, except for the first half step.
-    assert abs(way[0] - 0.5 * (5 - 2) / 4 * 2**2) < 1e-6
+    assert abs(displacement[0] - 0.5 * (5 - 2) / 4 * 2**2) < 1e-6
 
 
 # A run that Ctrl-C or kill -9 stops in the middle ends, after resuming, with the same bits as an undisturbed run.

@@ -212,8 +212,8 @@ def test_sweep_over_the_angle(lab):
             values = [member[key] for member in members]
             assert abs(float(row[key]) - np.mean(values)) < 1e-12
             assert abs(float(row[key + ":error"]) - np.std(values, ddof=1) / math.sqrt(3)) < 1e-12
-        shares = [float(row[f"packing.P_{q}"]) for q in range(7)]
-        assert abs(sum(shares) - 1) < 1e-12
+        fractions = [float(row[f"packing.P_{q}"]) for q in range(7)]
+        assert abs(sum(fractions) - 1) < 1e-12
     fractions = [float(row["solid_fraction"]) for row in rows]
     assert fractions == sorted(fractions, reverse=True)
     drawn = lab("plot", "out", "--format", "svg", "--only", "packing", timeout=120)

@@ -81,9 +81,9 @@ def show(what, found):
 def test_members_are_packings(members):
     for method in (GEOMETRY, RIGID):
         for angle in members.angles:
-            shares = np.array([members.values(method, angle, share) for share in SHARES])
-            assert shares.shape == (7, SEEDS) and abs(shares.sum(axis=0) - 1).max() < 1e-12
-            assert shares[0].mean() <= (0.01 if method == RIGID else 0)
+            fractions = np.array([members.values(method, angle, key) for key in SHARES])
+            assert fractions.shape == (7, SEEDS) and abs(fractions.sum(axis=0) - 1).max() < 1e-12
+            assert fractions[0].mean() <= (0.01 if method == RIGID else 0)
     for angle in members.angles:
         given_up, steps = (members.values(RIGID, angle, f"solver.{key}") for key in ("unconverged", "steps"))
         print(f"{angle:g} deg: {given_up.mean():.0f} of {steps.mean():.0f} steps given up")
@@ -123,7 +123,7 @@ def test_the_same_packing_at_90_degrees(members):
         value, error = members.difference(90, measure)
         print(f"{measure} at 90 deg: {value:+.4f} +- {error:.4f}")
         assert abs(value) < bound, measure
-    shares = []
+    fractions = []
     for seed in range(1, SEEDS + 1):
         first, second = (
             Grains(members.folder / f"members/{method}_critical_angle=90/seed-{seed}/run.h5").moving("position")
@@ -131,9 +131,9 @@ def test_the_same_packing_at_90_degrees(members):
         )
         apart = first - second
         apart[:, 0] -= WIDTH * np.round(apart[:, 0] / WIDTH)
-        shares.append((np.hypot(*apart.T) < 0.05).mean())
-    print("share of discs within 0.05 diameters of their places by geometry:", np.round(shares, 2))
-    assert np.mean(shares) > 0.7
+        fractions.append((np.hypot(*apart.T) < 0.05).mean())
+    print("fraction of discs within 0.05 diameters of their positions by geometry:", np.round(fractions, 2))
+    assert np.mean(fractions) > 0.7
 
 
 # Section IV: at equal solid fraction the two agree: coordination within 0.12 and fractions within 0.06, or two standard

@@ -76,9 +76,9 @@ def test_species(lab):
     assert ((diameter[coarse] >= 1.2) & (diameter[coarse] <= 1.6)).all()
     assert ((diameter[~coarse] >= 0.4) & (diameter[~coarse] <= 1.0)).all()
     assert np.allclose(mass, np.where(coarse, 0.6, 1.0) * diameter**2, rtol=1e-14)
-    share = mass[coarse].sum() / mass.sum()
+    fraction = mass[coarse].sum() / mass.sum()
     count = coarse.sum()
-    assert share == pytest.approx(0.5, abs=4 * 0.5 * 0.5 / np.sqrt(count) * 1.1)
+    assert fraction == pytest.approx(0.5, abs=4 * 0.5 * 0.5 / np.sqrt(count) * 1.1)
     out = np.abs(grains.moving("position")[:, 0])
     assert np.median(out[coarse]) > 1.2 * np.median(out[~coarse])
 
@@ -281,7 +281,7 @@ def test_refused_starts(lab, heap):
         ("[base]\nkind = 'deposited'\nhalf_width = 20\nroughness = 0.7\n", "base.roughness = 0.7: must be at most 0.5"),
         ("[base]\nkind = 'deposited'\nhalf_width = 0.4\n", "base.half_width = 0.4: too narrow for a deposited base"),
         ("[[species]]\nsizes = { kind = 'uniform', low = 2, high = 1 }\n", "species[0].sizes.high = 1: must be >= low = 2"),
-        ("[[species]]\nsizes = { kind = 'normal', mean = 1, deviation = 0.5 }\n", "its default, -0.5, will not do: must be > 0"),
+        ("[[species]]\nsizes = { kind = 'normal', mean = 1, deviation = 0.5 }\n", "its default is -0.5: must be > 0"),
         ("[[species]]\nsizes = { kind = 'normal', mean = 1, deviation = 0.1, low = 1.9, high = 2 }\n", "of the distribution"),
         ("[[species]]\nsizes = { kind = 'table', diameters = [1, 2], weights = [1] }\n", "has 1 numbers; must have 2"),
         ("[[species]]\nsizes = { kind = 'table', diameters = [1, 2], weights = [0, 0] }\n", "must have a finite sum > 0"),

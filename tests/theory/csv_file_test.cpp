@@ -46,7 +46,7 @@ TEST_F(CsvFileTest, ReadsNumbersPastComments) {
   EXPECT_FALSE(file.has("mass"));
 }
 
-TEST_F(CsvFileTest, SaysWhereItIsWrong) {
+TEST_F(CsvFileTest, ReportsWhereItIsWrong) {
   EXPECT_EQ(complaint([&] { read("a,b\n1,2\n3\n4,5,6\n"); }),
             path + ":3: has 1 cell, the line of names has 2\n" + path + ":4: has 3 cells, the line of names has 2");
   const auto file = read("a,b\n1,2\nx,3\n4m,nan\n");

@@ -19,7 +19,7 @@ double radians(double degrees) { return degrees * (pi / 180.0); }
 Ray ray_at(double s) { return {.from_axis = s, .from_surface = 1.0 - s}; }
 
 // sigma_zz on the axis from another method: Chebyshev collocation of the two equations in pi and u with 60 and 80
-// points and Newton's method, in numpy; both agree in the digits given.
+// points and Newton's method, in numpy. Both numbers of points agree in the given digits.
 TEST(IncipientFailure, AxisStressOfCollocation) {
   constexpr std::array<std::pair<double, double>, 9> reference{{{5.0, 0.944340177023},
                                                                 {10.0, 0.899870143636},
@@ -37,8 +37,8 @@ TEST(IncipientFailure, AxisStressOfCollocation) {
   }
 }
 
-// Equilibrium of sigma = z P(xi) (1 + s cos 2psi), ... over xi = x/z, without what makes it regular at the surface:
-// a11 P' + a12 P psi' = 1 - P (1 + s C), a21 P' + a22 P psi' = -P s S.
+// Equilibrium of sigma = z P(xi) (1 + s cos 2psi), ... in xi = x/z, without the substitution that makes it regular at
+// the surface: a11 P' + a12 P psi' = 1 - P (1 + s C), a21 P' + a22 P psi' = -P s S.
 std::array<double, 2> change(double xi, const std::array<double, 2>& state, double s) {
   const auto [p, psi] = state;
   const double cosine = std::cos(2.0 * psi);
@@ -53,9 +53,9 @@ std::array<double, 2> change(double xi, const std::array<double, 2>& state, doub
   return {(r1 * a22 - r2 * a12) / determinant, (a11 * r2 - a21 * r1) / determinant};
 }
 
-// Classical Runge-Kutta from the axis on: 20 000 steps, so errors are those of rounding, magnified towards the surface
-// as 1/(1 - S). It misses the surface, P -> 0 there, if the stress on the axis is wrong.
-TEST(IncipientFailure, EqualsTheEquationsAsTheyStand) {
+// Classical Runge-Kutta from the axis with 20 000 steps. The errors are those of rounding, which grow towards the
+// surface as 1/(1 - S). With a wrong stress on the axis P does not vanish on the surface.
+TEST(IncipientFailure, SolvesTheOriginalEquations) {
   for (const double degrees : {3.0, 10.0, 27.5, 45.0, 50.0, 79.0}) {
     const IncipientFailure wedge{radians(degrees)};
     const double s = std::sin(radians(degrees));
@@ -82,7 +82,7 @@ TEST(IncipientFailure, EqualsTheEquationsAsTheyStand) {
   }
 }
 
-// Equilibrium of the whole pile, which no step of the solution uses.
+// The equilibrium of the whole pile, which the solution does not use.
 TEST(IncipientFailure, BaseCarriesTheWeight) {
   for (const double degrees : {0.1, 0.2, 1.0, 2.0, 7.7, 15.0, 22.2, 30.0, 38.0, 45.0, 52.0, 66.0, 80.0, 88.0}) {
     const IncipientFailure wedge{radians(degrees)};
@@ -106,8 +106,8 @@ TEST(IncipientFailure, IsAtYieldEverywhere) {
   }
 }
 
-// Towards the surface the stress is that of the outer region of the linear closures, (1 + s^2, s c, c^2)(1 - S); it
-// departs from there by pi - 1 = -(4/3) s^2 (1 - S) and psi by -(2/3) s c (1 - S).
+// Near the surface the stress is that of the outer region of the linear closures, (1 + s^2, s c, c^2)(1 - S), with the
+// corrections pi - 1 = -(4/3) s^2 (1 - S) and -(2/3) s c (1 - S) of psi.
 TEST(IncipientFailure, TouchesTheSurfaceAsDerived) {
   for (const double degrees : {5.0, 30.0, 60.0}) {
     const IncipientFailure wedge{radians(degrees)};

@@ -10,18 +10,19 @@
 namespace repose::theory {
 namespace {
 
-// Cell after cell by (30), the balance of forces, in more digits than the closed form has.
+// One cell after the other by (30), the balance of forces, with more digits than the closed form.
 TEST(JanssenDiscrete, ClosedFormIsTheRecursion) {
   for (const auto* direction : {"rest", "pushed-up"}) {
     for (const double k_mu : {1e-18, 1e-9, 1e-3, 0.1, 0.3, 0.49}) {
       const JanssenDiscrete stack{.k_mu = k_mu, .layers = 200, .direction = direction};
-      const long double sense = stack.direction == "rest" ? -1.0L : 1.0L;  // of the walls' force on the cell, downward
+      const long double sense =
+          stack.direction == "rest" ? -1.0L : 1.0L;  // sign of the force of the walls on the cell, downward
       long double force = 0.0L;
       for (int layer = 1; layer <= 150; ++layer) {
         force = (force + 3.0L) / (1.0L - sense * 2.0L * static_cast<long double>(k_mu));
         const auto expected = static_cast<double>(force);
         ASSERT_NEAR(force_below(stack, layer), expected, 2e-13 * expected) << direction << k_mu << ' ' << layer;
-        // What the cell is pushed with carries the cells above, its three grains, and the walls.
+        // The force on the cell carries the cells above, its three grains, and the walls.
         const double above = layer == 1 ? 0.0 : force_below(stack, layer - 1);
         const double here = force_below(stack, layer);
         ASSERT_NEAR(here, above + 3.0 + static_cast<double>(sense) * 2.0 * k_mu * here, 1e-12 * here);
@@ -30,7 +31,7 @@ TEST(JanssenDiscrete, ClosedFormIsTheRecursion) {
   }
 }
 
-// The same with walls that are pressed by other forces of the cell.
+// The same with other forces of the cell pressing on the walls.
 TEST(JanssenDiscrete, OtherLoadsOfTheWalls) {
   for (const auto* direction : {"rest", "pushed-up"}) {
     for (const double k_mu : {1e-12, 0.1, 0.45}) {
@@ -46,7 +47,7 @@ TEST(JanssenDiscrete, OtherLoadsOfTheWalls) {
         ASSERT_NEAR(a_1, a_0 + 3.0 + walls * a_0, 1e-13 * a_1) << direction << k_mu << ' ' << layer;
       }
     }
-    // The ratio of the mean is even in K mu; that of the other end is that of the other direction.
+    // The ratio for the mean is even in K mu. The ratio for the other end is that for the other direction.
     const auto ratio = [&](const char* load) {
       return discrete_lengths({.k_mu = 0.1, .direction = direction, .wall_load = load}).ratio;
     };
@@ -55,7 +56,7 @@ TEST(JanssenDiscrete, OtherLoadsOfTheWalls) {
   }
 }
 
-TEST(JanssenDiscrete, WithoutFrictionAllWeight) {
+TEST(JanssenDiscrete, WithoutFrictionTheWholeWeight) {
   for (const auto* direction : {"rest", "pushed-up"}) {
     const JanssenDiscrete stack{.k_mu = 0.0, .layers = 7, .direction = direction};
     EXPECT_EQ(evaluate(stack).column("force").values.back(), 21.0);

@@ -24,9 +24,9 @@ Janssen column(std::int64_t dimension, const std::string& direction) {
           .overload = 4.0};
 }
 
-// Slices of the column one after the other: the stress grows by the weight of a slice less what its walls carry, with
-// the perimeter and the area of the cross-section instead of the screening length. Midpoint rule: of second order, so
-// that two step sizes give the limit to their fourth power.
+// One slice of the column after the other: the stress grows by the weight of a slice minus the force of its walls,
+// computed from the perimeter and the area of the cross-section instead of the screening length. The midpoint rule is
+// of second order, so two step sizes give the limit to their fourth power.
 double by_slices(const Janssen& model, int slices) {
   const bool slit = model.dimension == 2;
   const double cross_section = slit ? model.width : std::numbers::pi * std::pow(0.5 * model.width, 2);
@@ -44,7 +44,7 @@ double by_slices(const Janssen& model, int slices) {
   return stress;
 }
 
-// The extrapolated sum of 20000 slices is right to about (x/20000)^3 with x = 10 at most: 1e-10.
+// The extrapolated sum of 20000 slices is accurate to about (x/20000)^3 with x = 10 at most: 1e-10.
 TEST(Janssen, BalancesTheForcesOnEverySlice) {
   for (const std::int64_t dimension : {2, 3}) {
     for (const auto* direction : {"rest", "pushed-up"}) {
@@ -55,7 +55,7 @@ TEST(Janssen, BalancesTheForcesOnEverySlice) {
   }
 }
 
-// What the walls carry, by quadrature, and what arrives at the bottom are the weight and the overload.
+// The force on the walls, by quadrature, plus the force on the bottom is the weight plus the overload.
 TEST(Janssen, WallsAndBottomCarryTheWeight) {
   for (const std::int64_t dimension : {2, 3}) {
     for (const double sense : {1.0, -1.0}) {
@@ -71,7 +71,8 @@ TEST(Janssen, WallsAndBottomCarryTheWeight) {
   }
 }
 
-// Without friction exactly hydrostatic; with very little, what the walls carry is the first term of the series.
+// Without friction the column is exactly hydrostatic. With very little friction, the walls carry the first term of the
+// series.
 TEST(Janssen, HydrostaticLimit) {
   auto model = column(3, "rest");
   model.overload = 0.0;
@@ -110,7 +111,7 @@ TEST(Janssen, ApparentMassHasNoGravity) {
   EXPECT_EQ(evaluate(model).number("saturation_mass"), std::numeric_limits<double>::infinity());
 }
 
-TEST(Janssen, RefusesWhatWouldOverflow) {
+TEST(Janssen, RefusesAnOverflow) {
   auto model = column(3, "pushed-up");
   model.height = 699.9 * screening_length(model);
   EXPECT_TRUE(relations(model).empty());

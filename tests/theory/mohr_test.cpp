@@ -14,7 +14,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-// n . sigma . n and t . sigma . n: t down the plane to the right, n from what lies above it to what lies below.
+// n . sigma . n and t . sigma . n, where t points down the plane to the right and n from its upper to its lower side.
 PlaneStress by_rotation(const Mohr& place, double plane_deg) {
   const double t[2] = {std::cos(plane_deg * degree), std::sin(plane_deg * degree)};
   const double n[2] = {-t[1], t[0]};
@@ -57,7 +57,7 @@ TEST(Mohr, EqualsThePrintedFormsWithoutShear) {
   }
 }
 
-// The plane across the major stress has no shear, and no plane has more pressure.
+// The plane perpendicular to the major stress has no shear, and no plane has a larger normal stress.
 TEST(Mohr, PrincipalStresses) {
   for (const auto& place : some_places) {
     const auto circle = circle_of(place);
@@ -69,13 +69,13 @@ TEST(Mohr, PrincipalStresses) {
     EXPECT_NEAR(by_rotation(place, 90.0 - circle.principal_angle_deg).normal, circle.minor, 2e-15);
     EXPECT_GE(circle.major, circle.minor);
   }
-  // The lower end of the major stress points to the right where what lies above pushes to the right.
+  // The lower end of the major stress points to the right if the upper side of a plane pushes to the right.
   EXPECT_GT(circle_of({.s_xx = 0.4, .s_zz = 1.0, .s_xz = 0.1}).principal_angle_deg, 0.0);
   EXPECT_TRUE(std::isnan(circle_of({.s_xx = 1.0, .s_zz = 1.0, .s_xz = 0.0}).principal_angle_deg));
 }
 
-// A minor stress far below the major one. Without shear it is what was given; with shear the determinant is 2^-40
-// exactly, and the product of the two.
+// A minor stress far below the major one. Without shear it equals the given stress. With shear the determinant, the
+// product of both, is exactly 2^-40.
 TEST(Mohr, SmallPrincipalStressKeepsItsDigits) {
   for (const double scale : {1.0, 0x1p-300, 0x1p300}) {
     for (const double sign : {1.0, -1.0}) {
@@ -90,7 +90,7 @@ TEST(Mohr, SmallPrincipalStressKeepsItsDigits) {
       EXPECT_NEAR(other, 0x1p-40 / large, 1e-15 * other);
     }
   }
-  // Products that are not exact, in 64 bits: the difference is right to 1e-19 / 1e-9, in double alone to 1e-7.
+  // Products that are not exact, with 64 bits: the difference is accurate to 1e-19 / 1e-9, in double alone to 1e-7.
   const Mohr place{.s_xx = 1.1 * 1.1 / 3.0 * (1.0 + 1e-9), .s_zz = 3.0, .s_xz = 1.1};
   const long double determinant =
       static_cast<long double>(place.s_xx) * 3.0L - std::pow(static_cast<long double>(1.1), 2.0L);
@@ -98,14 +98,14 @@ TEST(Mohr, SmallPrincipalStressKeepsItsDigits) {
   EXPECT_NEAR(circle.minor, static_cast<double>(determinant) / circle.major, 1e-9 * circle.minor);
 }
 
-// Slip on some plane is what (15) says, whichever way all planes are tried.
+// (15) predicts slip exactly when a search over all planes finds slip on one of them.
 TEST(Mohr, RatioIsOneWhereSomePlaneIsAtTheLimit) {
   for (const double phi : {5.0, 30.0, 60.0}) {
     for (const auto& place : some_places) {
       if (place.s_xx + place.s_zz <= 0.0) continue;
       auto here = place;
       here.friction_deg = phi;
-      double excess = -std::numeric_limits<double>::infinity();  // largest |shear| - tan(phi) normal of all planes
+      double excess = -std::numeric_limits<double>::infinity();  // the largest |shear| - tan(phi) normal of all planes
       for (int i = 0; i < 180000; ++i) {
         const auto stress = by_rotation(place, i * 1e-3);
         excess = std::max(excess, std::abs(stress.shear) - std::tan(phi * degree) * stress.normal);
@@ -118,7 +118,7 @@ TEST(Mohr, RatioIsOneWhereSomePlaneIsAtTheLimit) {
   }
 }
 
-// At the limit both slip planes, and no plane besides, have |shear| = tan(phi) normal, with the signs that are named.
+// At the limit the two slip planes, and no other plane, have |shear| = tan(phi) normal, with the stated signs.
 TEST(Mohr, SlipPlanesAreAtTheLimit) {
   for (const double turn : {0.0, 20.0, -50.0, 88.0}) {
     const double s = std::sin(34.0 * degree);

@@ -25,7 +25,7 @@ constexpr double pi = std::numbers::pi;
 
 double radians(double degrees) { return degrees * (pi / 180.0); }
 
-/// Models of every kind at random angles, slopes and closures, among those that are allowed.
+/// Models of every kind with random valid angles, slopes and closures.
 std::vector<Osl> random_models(bool with_ife) {
   std::mt19937 engine{20260726};
   const auto between = [&](double low, double high) {
@@ -48,7 +48,7 @@ std::vector<Osl> random_models(bool with_ife) {
          .slope_deg = slope,
          .mu = between(-3.0, 3.0),
          .eta = between(0.1, 3.0)});
-    if (with_ife && angle > 10.0) add({.model = "ife", .angle_deg = angle});  // flatter ones have a layer at the axis
+    if (with_ife && angle > 10.0) add({.model = "ife", .angle_deg = angle});  // smaller angles have a layer at the axis
   }
   return models;
 }
@@ -59,7 +59,7 @@ std::string text_of(const Osl& model) {
   return text;
 }
 
-/// The field as printed, by depth and place: z = i/grid, x = k cot(slope)/grid.
+/// The field as printed, by depth and position: z = i/grid, x = k cot(slope)/grid.
 class Field {
  public:
   explicit Field(Osl model) {
@@ -74,7 +74,7 @@ class Field {
   double at(const char* name, int i, int k) const {
     return table_.column(name).values.at(static_cast<std::size_t>(i * i - 1 + i + k));
   }
-  /// Fourth order central differences: exact for linear fields, 1e-9 for the smooth one.
+  /// Fourth-order central differences: exact for linear fields, accurate to 1e-9 for the smooth one.
   double over_x(const char* name, int i, int k) const {
     const double step = at("x_over_h", i, k + 1) - at("x_over_h", i, k);
     return (8.0 * (at(name, i, k + 1) - at(name, i, k - 1)) - at(name, i, k + 2) + at(name, i, k - 2)) / (12.0 * step);
@@ -90,7 +90,7 @@ class Field {
   double foot_ = 0.0;
 };
 
-/// Whether the differences at a place reach over the kink, or over the axis, where linear stresses have another.
+/// Whether the differences at a point extend across the kink, or across the axis, where linear stresses have one too.
 bool near_kink(double s_inner, int i, int k) {
   const int wide = 2;
   const double low = (std::abs(k) - wide) / static_cast<double>(i + wide);
@@ -118,7 +118,7 @@ TEST(Osl, FieldIsInEquilibrium) {
   }
 }
 
-// Signs and edges: no stress on the surface, no shear on the axis, the ground is pushed outward on both sides.
+// There is no stress on the surface and no shear on the axis, and the pile pushes the ground outward on both sides.
 TEST(Osl, FieldHasTheSymmetryAndEdgesOfAPile) {
   for (const auto& model : random_models(true)) {
     const Field field{model};
@@ -168,7 +168,7 @@ TEST(Osl, StressesAreContinuousAtTheKink) {
   }
 }
 
-// Trapezia between the feet, the kinks and the centre.
+// The integral is exact: trapezia between the feet, the kinks and the centre.
 TEST(Osl, BaseCarriesTheWeight) {
   for (const auto& model : random_models(false)) {
     const auto table = evaluate(model);
@@ -185,9 +185,9 @@ TEST(Osl, BaseCarriesTheWeight) {
   }
 }
 
-// The lattice directions at 60 degrees are the characteristics of eta = 1/3, mu = 0. A length of base carries the
-// weight of discs of one of them a diameter, which is 2/sqrt(3) of rho: units rho g h against chi g B.
-TEST(Osl, LatticeClosureIsTheContinuumPileWhateverTheFrictionAngle) {
+// The lattice directions at 60 degrees are the characteristics of eta = 1/3, mu = 0. chi, the mass per length of a
+// lattice line and per diameter of base, is 2/sqrt(3) of rho, which relates the units rho g h and chi g B.
+TEST(Osl, LatticeClosureIsTheContinuumPileForAnyFrictionAngle) {
   for (const double slope : {0.7, 12.0, 30.0, 45.0, 58.0}) {
     const double unit = std::numbers::sqrt3 / 2.0 * 2.0 / std::tan(radians(slope));  // B/h = 2/tan(slope)
     for (const double angle : {3.0, slope, 59.0, 80.0}) {
@@ -202,10 +202,11 @@ TEST(Osl, LatticeClosureIsTheContinuumPileWhateverTheFrictionAngle) {
   }
 }
 
-// A surface steeper than the friction angle, under a closure that is given whole: beyond Coulomb's limit from some
-// place outward, told by the margins of Mohr's circle of the printed stresses.
-TEST(Osl, TooSteepASurfaceIsJudgedNotRefused) {
-  for (const double angle : {28.0, 30.0, 35.0}) {  // everywhere; all but the axis, to rounding; from some place on
+// A surface steeper than the friction angle, with both parameters of the closure given, exceeds Coulomb's limit from
+// some position outward. The margins of Mohr's circle of the printed stresses show where.
+TEST(Osl, TooSteepASurfaceExceedsTheLimitAndIsNotRefused) {
+  for (const double angle :
+       {28.0, 30.0, 35.0}) {  // exceeded everywhere; everywhere except on the axis, to rounding; from some position on
     const Osl model{
         .model = "custom", .angle_deg = angle, .slope_deg = 36.0, .mu = 0.0, .eta = 1.0 / 3.0, .points = 20001};
     const auto table = evaluate(model);
@@ -224,7 +225,7 @@ TEST(Osl, TooSteepASurfaceIsJudgedNotRefused) {
         EXPECT_EQ(margin<0.0, reduced> flank) << angle << ' ' << x[i];
       }
     }
-    EXPECT_NEAR(violated / 20000.0, table.number("violated_share"), 2e-4);  // places are 5e-5 apart, on two sides
+    EXPECT_NEAR(violated / 20000.0, table.number("violated_share"), 2e-4);  // positions are 5e-5 apart, on two sides
     EXPECT_GT(violated, 2000.0);
   }
 }
@@ -266,7 +267,7 @@ TEST(Osl, BouchaudCatesClaudinHasAPlateau) {
   }
 }
 
-// Not fixed principal axes alone: any mu < 0 dips, and any mu > 0 has its largest stress at the centre.
+// Any mu < 0 has a dip, not only fixed principal axes; any mu > 0 has its largest stress at the centre.
 TEST(Osl, SignOfMuDecidesOnTheDip) {
   for (const double mu : {-2.0, -0.1, -1e-6, 1e-6, 0.1, 0.8}) {
     const auto table = evaluate(Osl{.model = "custom", .angle_deg = 35.0, .mu = mu, .points = 4001});
@@ -276,7 +277,8 @@ TEST(Osl, SignOfMuDecidesOnTheDip) {
     EXPECT_EQ(table.number("dip_depth") > 0.0, mu < 0.0) << mu;
     EXPECT_EQ(normal[2000] < peak, mu < 0.0) << mu;
     EXPECT_EQ(normal[2000] > normal[1999], mu > 0.0) << mu;
-    EXPECT_NEAR(1.0 - normal[2000] / peak, table.number("dip_depth"), 1e-3) << mu;  // the peak is between two places
+    EXPECT_NEAR(1.0 - normal[2000] / peak, table.number("dip_depth"), 1e-3)
+        << mu;  // the peak lies between two positions
   }
 }
 
@@ -292,8 +294,8 @@ TEST(Osl, OuterRegionOfASurfaceAtTheFrictionAngleIsAtYield) {
   }
 }
 
-// Share and ends against the printed margins of a fine table.
-TEST(Osl, TellsWhereYieldIsViolated) {
+// The violated fraction and its limits against the printed margins of a fine table.
+TEST(Osl, ReportsWhereYieldIsViolated) {
   std::vector<Osl> models = random_models(true);
   models.push_back({.model = "custom", .angle_deg = 30.0, .slope_deg = 20.0, .mu = 0.0, .eta = 0.1});
   models.push_back({.model = "custom", .angle_deg = 10.0, .slope_deg = 5.0, .mu = -8.0, .eta = 1.0});
@@ -331,7 +333,7 @@ std::string complaint(const std::vector<Setting>& settings) {
   return "none";
 }
 
-TEST(Osl, RefusesWhatHasNoSolution) {
+TEST(Osl, RefusesParametersWithoutASolution) {
   EXPECT_EQ(complaint({{"mu", "1"}, {"eta", "2"}}),
             "osl: mu = 1: only for model = custom; model = fpa has its own\n"
             "osl: eta = 2: only for model = custom; model = fpa has its own");
@@ -355,7 +357,7 @@ TEST(Osl, RefusesWhatHasNoSolution) {
             "characteristic from the apex leaves the pile");
   EXPECT_NE(complaint({{"model", "arch"}}).find("must be fpa | bcc | ife | custom"), std::string::npos);
   EXPECT_NE(complaint({{"angle_deg", "90"}}).find("must be > 0 and < 90"), std::string::npos);
-  // Beyond Coulomb's limit is a result, not a refusal.
+  // A stress beyond Coulomb's limit is a result and is not refused.
   EXPECT_EQ(complaint({{"model", "custom"}, {"mu", "0"}, {"eta", "0.1"}}), "none");
 }
 

@@ -17,8 +17,8 @@ namespace {
 using Place = std::array<double, 3>;
 
 struct Lattice {
-  std::array<Place, 3> edges;  ///< of the unit cell; in 2D the third is (0, 0, 1)
-  std::vector<Place> grains;   ///< in the cell, in units of the edges
+  std::array<Place, 3> edges;  ///< edges of the unit cell; in 2D the third is (0, 0, 1)
+  std::vector<Place> grains;   ///< positions in the cell, in units of the edges
 };
 
 struct Counted {
@@ -26,8 +26,8 @@ struct Counted {
   double coordination;
 };
 
-// Grains that touch their nearest neighbours, found in the cells around; area or volume of the grains in a cell over
-// that of the cell.
+// Each grain touches its nearest neighbours, found in the surrounding cells. The solid fraction is the area or volume
+// of the grains in a cell over that of the cell.
 Counted count(const Lattice& lattice, int dimension) {
   const auto place = [&](const Place& grain, int i, int j, int k) {
     Place all{};
@@ -88,8 +88,8 @@ TEST(Packing, LatticesAsCountedInTheirCells) {
   EXPECT_EQ(exact, lattices.size());
 }
 
-// Kepler, Thue: nothing is denser. Every row has a source, and a number that is not a lattice's says how sure it is or
-// that nobody said.
+// Kepler, Thue: no packing is denser. Every row has a source, and every number except those of lattices has an error or
+// is marked as having none.
 TEST(Packing, NothingIsDenserThanTheDensest) {
   for (const auto& fact : packing_facts()) {
     EXPECT_FALSE(fact.source.empty()) << fact.name;
@@ -98,7 +98,7 @@ TEST(Packing, NothingIsDenserThanTheDensest) {
   }
 }
 
-// Balances written out: discs x, y (and a torque), spheres x, y, z (and three torques).
+// Counts of balances: discs have x, y (and a torque with friction), spheres x, y, z (and three torques).
 TEST(Packing, IsostaticCounts) {
   EXPECT_EQ(isostatic_coordination(2, false), 4.0);
   EXPECT_EQ(isostatic_coordination(2, true), 3.0);
@@ -106,7 +106,7 @@ TEST(Packing, IsostaticCounts) {
   EXPECT_EQ(isostatic_coordination(3, true), 4.0);
 }
 
-// Contacts with the directions of P = (1 + A cos 2 theta)/(2 pi), summed at equal steps, which is exact for harmonics.
+// Contact directions with P = (1 + A cos 2 theta)/(2 pi), summed at equal steps, which is exact for harmonics.
 TEST(Packing, BoundsOfAnisotropy) {
   const auto table = evaluate(Packing{});
   const auto fabric = [](double harmonic) {
@@ -126,7 +126,7 @@ TEST(Packing, BoundsOfAnisotropy) {
   EXPECT_NEAR(trace, table.number("fabric_trace"), 1e-13);
   EXPECT_NEAR(anisotropy, table.number("anisotropy_bound_one_harmonic"), 1e-13);
   EXPECT_NEAR(fabric(0.4).second, 0.4, 1e-13);
-  // All contacts along x: eigenvalues 1 and 0.
+  // If all contacts are along x, the eigenvalues are 1 and 0.
   EXPECT_EQ(2.0 * (1.0 - 0.0), table.number("anisotropy_bound"));
 }
 

@@ -13,13 +13,14 @@ namespace {
 
 double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
 
-// The printed closed forms (54)-(57), written down apart from the code, which adds lengths of diagonals.
+// The printed closed forms (54)-(57), independent of the code, which adds lengths of diagonals.
 TEST(PileContinuum, EqualsThePrintedForms) {
   for (const double degrees : {0.001, 0.5, 7.0, 23.4, 30.0, 41.7, 55.0, 59.9}) {
     const double a = radians(degrees);
     const double from_left = std::sin(2.0 * std::numbers::pi / 3.0 - a);
     const double from_right = std::sin(std::numbers::pi / 3.0 - a);
-    const double rounding = std::max(1e-13, 1e-15 / from_right);  // of the printed forms, which subtract angles
+    const double rounding =
+        std::max(1e-13, 1e-15 / from_right);  // rounding of the printed forms, which subtract angles
     const double x_centre = 0.5 * std::tan(a) * (1.0 / std::tan(a) - 1.0 / std::numbers::sqrt3);
     for (const double x : {0.1 * x_centre, 0.7 * x_centre, 0.5 * (x_centre + 0.5), 0.49}) {
       const bool outer = x <= x_centre;
@@ -37,8 +38,8 @@ TEST(PileContinuum, EqualsThePrintedForms) {
   }
 }
 
-// The profile is piecewise linear: trapezia between its corners integrate it exactly. The pile of area tan(a)/4 has
-// lines a distance sqrt(3)/2 apart of chi per length: it weighs tan(a) / (2 sqrt 3).
+// The profile is piecewise linear, so trapezia between its corners integrate it exactly. A pile of area tan(a)/4 has
+// lines at a distance of sqrt(3)/2 with chi per length, so its weight is tan(a) / (2 sqrt 3).
 TEST(PileContinuum, CarriesTheWeight) {
   for (const double degrees : {0.5, 23.4, 30.0, 59.9}) {
     const PileContinuum model{.slope_deg = degrees};
@@ -49,9 +50,9 @@ TEST(PileContinuum, CarriesTheWeight) {
   }
 }
 
-// Flat piles are hydrostatic but at the feet, the force on a diagonal is its length: N = chi g times the height over
-// cos(30), and shear vanishes as the slope squared beside it. Towards 60 degrees the plateau is all of the base, as in
-// the equilateral pile, (42): N = chi g B/2, H = chi g (x - B/2)/sqrt(3), (44).
+// Flat piles are hydrostatic except at the feet: the force on a diagonal is its length, N = chi g times the height over
+// cos(30), and the shear force is smaller by the square of the slope. Towards 60 degrees the plateau covers the whole
+// base, as in the equilateral pile, (42): N = chi g B/2, H = chi g (x - B/2)/sqrt(3), (44).
 TEST(PileContinuum, Limits) {
   const PileContinuum flat{.slope_deg = 0.001};
   const double slope = radians(flat.slope_deg);
@@ -69,7 +70,7 @@ TEST(PileContinuum, Limits) {
   }
 }
 
-// Of a fine table; the plateau ends where x_c says.
+// The numbers agree with a fine table, and the plateau ends at x_c.
 TEST(PileContinuum, NumbersAreThoseOfTheProfile) {
   for (const double degrees : {2.0, 30.0, 58.0}) {
     const PileContinuum model{.slope_deg = degrees, .points = 200'001};

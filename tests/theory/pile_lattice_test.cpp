@@ -22,8 +22,8 @@ struct Force {
   double y = 0.0;
 };
 
-// The pile as a set of places (row, twice x), and the forces in it from the balance of one disc after another, from the
-// top row down: no counting of diagonals.
+// The pile as a set of positions (row, twice x). Its forces follow from the balance of one disc after another, from the
+// top row down, without counting diagonals.
 class BruteForcePile {
  public:
   BruteForcePile(double slope_deg, std::int64_t base_count) {
@@ -44,14 +44,14 @@ class BruteForcePile {
   std::size_t discs() const { return load_.size(); }
   bool every_disc_has_both_supports() const { return supported_; }
 
-  /// Sum of the loads that came down on the disc and its weight, y downward: what it gives to the ground.
+  /// The loads on the disc from above plus its weight, y downward: the force of the disc on the ground.
   Force on_ground(std::int64_t i) const { return load_.at({0, 2 * i}); }
 
  private:
   using Place = std::pair<std::int64_t, std::int64_t>;  // minus row, twice x: the top row comes first
 
-  /// Forces f and g along the contacts down to the left and right, (-1/2, cos 30) and (1/2, cos 30), that hold the
-  /// load.
+  /// The forces f and g that carry the load along the contacts down to the left and right, (-1/2, cos 30) and
+  /// (1/2, cos 30).
   void pass_down(const Place& place, const Force& load) {
     const double cosine = std::cos(pi / 6.0);
     const double sum = load.y / cosine;
@@ -102,7 +102,7 @@ TEST(PileLattice, NormalForcesSumToTheWeightExactly) {
   }
 }
 
-// Numbers of discs of the paper; 60 degrees: eqs (42), (44), for disc i counted from 1.
+// The numbers of discs in the paper. At 60 degrees, eqs (42) and (44), with discs counted from 1.
 TEST(PileLattice, PublishedPiles) {
   EXPECT_EQ(evaluate(PileLattice{.slope_deg = 30.0, .base_count = 45}).number("discs"), 360.0);
   EXPECT_EQ(evaluate(PileLattice{.slope_deg = 30.0, .base_count = 180}).number("discs"), 5490.0);

@@ -24,7 +24,7 @@ double surface(const PileTent& model, double x) {
   return below * tan_of(model.lower_slope_deg) + (from_foot - below) * tan_of(model.upper_slope_deg);
 }
 
-// Length of the line at 60 degrees from x to the surface, `side` -1 up to the left, by bisection.
+// The length of the line at 60 degrees from x to the surface, by bisection; `side` -1 is up to the left.
 double length(const PileTent& model, double x, double side) {
   double inside = 0.0;
   double outside = 2.0;
@@ -48,7 +48,7 @@ std::vector<PileTent> tents() {
   return all;
 }
 
-// Bisection resolves 1e-16 of lengths up to 1; the closed form loses up to 1/(1 - tan/sqrt(3)) = 70 of rounding.
+// Bisection resolves 1e-16 of lengths up to 1; the closed form magnifies rounding by up to 1/(1 - tan/sqrt(3)) = 70.
 TEST(PileTent, EqualsLinesMeetingTheSurface) {
   for (const auto& model : tents()) {
     for (double x = 0.0; x <= 1.0; x += 1.0 / 64.0) {
@@ -94,7 +94,7 @@ TEST(PileTent, EqualSlopesAreTheContinuumPile) {
   }
 }
 
-// Trapezia between all kinks, which are found from the corners of the surface here, integrate the profile exactly.
+// Trapezia between all kinks, which follow here from the corners of the surface, integrate the profile exactly.
 TEST(PileTent, CarriesTheWeight) {
   for (const auto& model : tents()) {
     std::vector<double> kinks = {0.0, 1.0};
@@ -113,15 +113,15 @@ TEST(PileTent, CarriesTheWeight) {
   }
 }
 
-// The paper's tent, Fig. 19: 8.1 % by an independent calculation.
+// The tent of the paper, Fig. 19, has a dip of 8.1 % by an independent calculation.
 TEST(PileTent, PaperTentDips) {
   const auto table = evaluate(PileTent{});
   EXPECT_EQ(table.number("dip"), 1.0);
   EXPECT_NEAR(table.number("dip_depth"), 0.081, 0.0005);
 }
 
-// A dip needs an upper slope that is steeper, and a line from the break that meets the base beyond where the one from
-// the apex does: b (1 + tan(lower)/sqrt(3)) + height/sqrt(3) > 1/2.
+// A dip needs a steeper upper slope, and a lattice line from the break that meets the base farther out than the one
+// from the apex: b (1 + tan(lower)/sqrt(3)) + height/sqrt(3) > 1/2.
 TEST(PileTent, DipsWhereTheUpperSlopeIsSteeperAndTheBreakIsHigh) {
   int dips = 0;
   for (const auto& model : tents()) {

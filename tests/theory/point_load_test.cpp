@@ -23,13 +23,14 @@ double integral(const std::function<double(double)>& f, double from, double to) 
 
 const char* const floors[] = {"none", "smooth-rigid", "rough-rigid"};
 
-// The stress under a strip carries the whole force, evenly about the load.
+// The stress under a strip carries the whole force and is symmetric about the load.
 TEST(PointLoad, CarriesTheForce) {
   for (const char* floor : floors) {
     for (const double width : {0.0, 0.1, 1.5}) {
       const PointLoad model{.load_width = width, .floor = floor};
       const auto stress = [&](double x) { return elastic_stress(model, x); };
-      // Beyond x = 12 the half plane carries 2/(3 pi 12^3), with corrections of 1/x^2; a layer 1e-7 of that.
+      // Beyond x = 12 a half plane carries 2/(3 pi 12^3), with corrections of order 1/x^2; a layer carries 1e-7 of
+      // that.
       const double tail = model.floor == "none" ? 2.0 / (3.0 * pi * 1728.0) : 0.0;
       EXPECT_NEAR(integral(stress, 0.0, 0.5 * width) + integral(stress, 0.5 * width, 3.0) + integral(stress, 3.0, 12.0),
                   0.5 - tail, 3e-6)
@@ -39,7 +40,7 @@ TEST(PointLoad, CarriesTheForce) {
   }
 }
 
-// A strip is many points.
+// A strip is a sum of point loads.
 TEST(PointLoad, StripIsASumOfPoints) {
   for (const char* floor : floors) {
     const PointLoad point{.load_width = 0.0, .floor = floor};
@@ -71,9 +72,9 @@ Matrix product(const Matrix& a, const Matrix& b, double factor) {
   return c;
 }
 
-/// Solves for the layer by displacements: G, lambda of plane strain, u = U(y) sin mx, v = V(y) cos mx, whose equations
-/// are a linear system of first order in y; its matrix exponential takes the state from the floor to the surface.
-/// Nothing is shared with the code's stress function. Returns the stress on the floor per stress on the surface.
+/// The stress on the floor of a layer per stress on its surface, from displacements: G, lambda of plane strain,
+/// u = U(y) sin mx, v = V(y) cos mx. Their equations are a linear system of first order in y, whose matrix exponential
+/// leads from the floor to the surface. The solution is independent of the stress function of the code.
 double transfer_by_displacements(double m, double poisson, bool rough) {
   const double shear = 1.0;
   const double lambda = 2.0 * shear * poisson / (1.0 - 2.0 * poisson);
@@ -99,7 +100,7 @@ double transfer_by_displacements(double m, double poisson, bool rough) {
     }
   }
   for (int k = 0; k < doublings; ++k) all = product(all, all, 1.0);
-  // Free at the floor: T, S where it is rough; U, S where it is smooth. At the surface T = 0, S = 1.
+  // Unknown at a rough floor: T, S; at a smooth floor: U, S. At the surface T = 0, S = 1.
   const std::size_t free = rough ? 2 : 0;
   return all[2][free] / (all[2][free] * all[3][3] - all[2][3] * all[3][free]);
 }
@@ -117,8 +118,8 @@ TEST(PointLoad, LayerEqualsTheEquationsOfDisplacement) {
   }
 }
 
-// The sum over waves against quadrature of the Fourier integral, and Flamant's closed form as the transfer (1 + m)
-// e^-m.
+// The sum over waves against quadrature of the Fourier integral, and Flamant's closed form against the transfer
+// function (1 + m) e^-m.
 TEST(PointLoad, LayerEqualsItsFourierIntegral) {
   for (const char* floor : {"smooth-rigid", "rough-rigid"}) {
     const PointLoad model{.load_width = 0.2, .floor = floor};
@@ -137,8 +138,8 @@ TEST(PointLoad, LayerEqualsItsFourierIntegral) {
   }
 }
 
-// A rigid floor makes the peak higher than the half plane's 2/pi; a rough one, which takes up shear, less so. A wide
-// load presses on each floor as it does on the surface.
+// A rigid floor increases the peak above the 2/pi of the half plane; a rough floor, which carries shear, increases it
+// less. A wide load has the same stress on the floor as on the surface.
 TEST(PointLoad, Limits) {
   EXPECT_NEAR(elastic_stress({.load_width = 0.0}, 0.0), 2.0 / pi, 1e-15);
   EXPECT_NEAR(elastic_stress({.load_width = 1e-7}, 0.3), elastic_stress({.load_width = 0.0}, 0.3), 1e-14);
@@ -152,8 +153,8 @@ TEST(PointLoad, Limits) {
   }
 }
 
-// The two rays: force F, no moment, no horizontal force, and away from them nothing; they solve the wave equation
-// (d_z - c+ d_x)(d_z - c- d_x) with c+ + c- = mu, c+ c- = -eta.
+// The two rays carry the force F, no moment and no horizontal force, and there is no stress elsewhere. They solve the
+// wave equation (d_z - c+ d_x)(d_z - c- d_x) with c+ + c- = mu, c+ c- = -eta.
 TEST(PointLoad, RaysBalanceTheForce) {
   for (const double mu : {-1.3, 0.0, 0.4, 1e4}) {
     for (const double eta : {0.05, 1.0 / 3.0, 2.0}) {
@@ -173,14 +174,14 @@ TEST(PointLoad, RaysBalanceTheForce) {
   }
 }
 
-// Rays of the triangular lattice run at 30 degrees from the vertical.
+// The rays of the triangular lattice are at 30 degrees from the vertical.
 TEST(PointLoad, RaysOfTheLattice) {
   const auto r = rays({.eta = 1.0 / 3.0});
   EXPECT_NEAR(r.right, std::tan(pi / 6.0), 1e-15);
   EXPECT_NEAR(r.weight_left, 0.5, 1e-15);
 }
 
-// Two equal chances in each of D rows of a triangular lattice, sqrt(3)/2 apart: a binomial of variance D/4.
+// Two equal probabilities in each of D rows of a triangular lattice, sqrt(3)/2 apart: a binomial with variance D/4.
 TEST(PointLoad, DiffusionIsTheBinomialOfTheQModel) {
   const double rows = 4000.0;
   const double depth = rows * std::numbers::sqrt3 / 2.0;

@@ -29,7 +29,7 @@ std::vector<double> last_layer(const QModel& model, std::int64_t run) {
   return last;
 }
 
-/// Kolmogorov-Smirnov: sqrt(n) D is below 0.5 or above 1.8 with a chance of 4 % and 0.3 %.
+/// Kolmogorov-Smirnov: sqrt(n) D is below 0.5 with probability 4 % and above 1.8 with probability 0.3 %.
 double kolmogorov_smirnov(std::vector<double> sample, double shape, double mean) {
   std::ranges::sort(sample);
   const boost::math::gamma_distribution<double> gamma(shape, mean / shape);
@@ -42,7 +42,7 @@ double kolmogorov_smirnov(std::vector<double> sample, double shape, double mean)
   return most * std::sqrt(n);
 }
 
-// No weight is made or lost: every layer adds `width` grains, whatever the fractions and edges.
+// Weight is conserved: every layer adds `width` grains, for any fractions and edges.
 TEST(QModel, ConservesWeight) {
   for (const char* distribution : {"uniform", "dirichlet", "fixed", "critical"}) {
     for (const char* edges : {"periodic", "walls"}) {
@@ -63,8 +63,8 @@ TEST(QModel, ConservesWeight) {
   }
 }
 
-// A site gives to as many as it gets from, so that Gamma weights stay Gamma beside a wall too.
-TEST(QModel, SitesGiveToAsManyAsTheyGetFrom) {
+// A site gives to as many sites as it receives from, so Gamma weights stay Gamma also beside a wall.
+TEST(QModel, SitesGiveToAsManyAsTheyReceiveFrom) {
   for (const std::int64_t neighbours : {2, 3, 4, 5}) {
     const QModel model{.width = 9, .neighbours = neighbours, .edges = "walls"};
     for (const std::int64_t layer : {0, 1}) {
@@ -81,9 +81,9 @@ TEST(QModel, SitesGiveToAsManyAsTheyGetFrom) {
   }
 }
 
-// Independent Gamma(N r) weights shared out by Dirichlet(r) fractions are sums of independent Gamma(r): invariant, to
-// the joint distribution, at any width. Moments within 4 standard errors; distribution by Kolmogorov-Smirnov, which
-// independent sites of one layer may be given to.
+// Independent Gamma(N r) weights, distributed by Dirichlet(r) fractions, become sums of independent Gamma(r) weights.
+// So their joint distribution is invariant at any width. Moments are within 4 standard errors. Kolmogorov-Smirnov
+// applies to the distribution, because the sites of one layer are independent.
 TEST(QModel, GammaWeightsAreInvariant) {
   struct Case {
     std::int64_t width, neighbours;
@@ -123,7 +123,7 @@ TEST(QModel, GammaWeightsAreInvariant) {
   }
 }
 
-// Between walls a site that gives to n keeps Gamma(n r) with mean n/N.
+// Between walls a site that gives to n sites keeps Gamma(n r) with mean n/N.
 TEST(QModel, GammaWeightsAreInvariantBetweenWalls) {
   const QModel model{.width = 5, .layers = 24, .neighbours = 2, .edges = "walls", .injection = 0, .start = "gamma"};
   std::vector<double> corner;
@@ -138,7 +138,7 @@ TEST(QModel, GammaWeightsAreInvariantBetweenWalls) {
   EXPECT_GT(kolmogorov_smirnov(corner, 2.0, 1.0), 1.8);
 }
 
-/// E w_i w_j of a small system by running over all outcomes of the critical model, where each site has N choices.
+/// E w_i w_j of a small system from all outcomes of the critical model, where each site has N choices.
 std::vector<double> enumerated(const QModel& model) {
   struct State {
     std::vector<double> weights;
@@ -184,8 +184,8 @@ TEST(QModel, RecursionEqualsTheSumOverAllOutcomes) {
   }
 }
 
-// Recursion against runs: every layer's variance within 4.5 standard errors, chi-square of 40 layers' neighbours aside,
-// and the scatter is as large as the errors say.
+// The recursion against runs: the variance of every layer is within 4.5 standard errors, and the mean square over the
+// layers, which are correlated, is of order 1.
 TEST(QModel, RecursionEqualsRuns) {
   for (const char* edges : {"periodic", "walls"}) {
     for (const auto& [neighbours, distribution, shape] :
@@ -217,9 +217,10 @@ TEST(QModel, RecursionEqualsRuns) {
   }
 }
 
-// Two neighbours, uniform: the variance tends to 1/2 (Gamma(2) is the limit law), but from below and slowly. C(s) less
-// a third of C(0) + m^2 at s = 0 diffuses with a sink there of a third of the growth of C(0) + m^2, that is of D: its
-// value at 0 is -4/(3 sqrt pi) D^(3/2), so that the variance is 1/2 - 2/sqrt(pi D), up to terms of 1/D.
+// For two neighbours with uniform fractions the variance tends to 1/2 (Gamma(2) is the limit law), slowly and from
+// below. C(s), minus a third of C(0) + m^2 at s = 0, diffuses with a sink at 0 of a third of the growth of C(0) + m^2,
+// that is, of D. Its value at 0 is -4/(3 sqrt pi) D^(3/2), so the variance is 1/2 - 2/sqrt(pi D) up to terms of order
+// 1/D.
 TEST(QModel, VarianceTendsToOneHalfSlowly) {
   const QModel model{.width = 1200, .layers = 20000, .output = "variance"};
   const auto variance = exact_variance(model);
@@ -232,7 +233,7 @@ TEST(QModel, VarianceTendsToOneHalfSlowly) {
   }
 }
 
-// In a narrow layer the sum of the weights is given: Gamma(N r) weights under that condition are Dirichlet.
+// In a narrow layer the sum of the weights is fixed. Gamma(N r) weights with that condition are Dirichlet variates.
 TEST(QModel, NarrowLayersTendToADirichletLaw) {
   for (const auto& [width, neighbours, shape] :
        {std::tuple<std::int64_t, std::int64_t, double>{5, 2, 1.0}, {4, 3, 0.5}}) {
@@ -240,11 +241,11 @@ TEST(QModel, NarrowLayersTendToADirichletLaw) {
         .width = width, .layers = 100000, .neighbours = neighbours, .distribution = "dirichlet", .shape = shape};
     const auto w = static_cast<double>(width);
     const double limit = (w - 1.0) / (static_cast<double>(neighbours) * shape * w + 1.0);
-    EXPECT_NEAR(exact_variance(model).back(), limit, 1e-4 * limit) << width;  // off by a term of 1/D
+    EXPECT_NEAR(exact_variance(model).back(), limit, 1e-4 * limit) << width;  // up to a term of order 1/D
   }
 }
 
-// Equal shares leave all weights equal; between walls the weight still piles up unevenly, without chance.
+// Equal fractions keep all weights equal. Between walls the weights become uneven, without randomness.
 TEST(QModel, FixedFractions) {
   const auto even = last_layer({.width = 12, .layers = 30, .neighbours = 3, .distribution = "fixed"}, 0);
   for (const double w : even) EXPECT_NEAR(w, 30.0, 1e-12);
@@ -256,9 +257,10 @@ TEST(QModel, FixedFractions) {
   EXPECT_NEAR(table.column("variance").values.back(), table.column("exact").values.back(), 1e-12);
 }
 
-// All to one neighbour: two weights meet as two random walks do, whose difference has variance 1/2 per layer and a mean
-// range of 2 sqrt(T/pi). Summed over all pairs of layers of grains: E w^2 = (16/(15 sqrt pi)) D^(5/2), so that the
-// variance per mean^2 grows as 0.602 sqrt(D). In a narrow system all weight ends in one place: width - 1.
+// If each site gives all to one neighbour, two weights meet like two random walks, whose difference has variance 1/2
+// per layer and a mean range of 2 sqrt(T/pi). The sum over all pairs of layers of grains is E w^2 = (16/(15 sqrt pi))
+// D^(5/2), so the variance over mean^2 grows as 0.602 sqrt(D). In a narrow system all weight ends at one site: width
+// - 1.
 TEST(QModel, CriticalFractionsGatherTheWeight) {
   const QModel wide{.width = 2000, .layers = 10000, .distribution = "critical"};
   const double limit = 16.0 / (15.0 * std::sqrt(std::numbers::pi));
@@ -288,7 +290,7 @@ TEST(QModel, HistogramHoldsEveryWeight) {
   EXPECT_NEAR(table.column("exact").values[4], 4.0 * 0.45 * std::exp(-0.9), 1e-14);
 }
 
-TEST(QModel, SaysWhatDoesNotGoTogether) {
+TEST(QModel, ReportsContradictingSettings) {
   for (const auto& settings : {std::vector<Setting>{{"width", "2"}, {"neighbours", "3"}},
                                {{"injection", "0"}},
                                {{"start", "gamma"}, {"distribution", "fixed"}},

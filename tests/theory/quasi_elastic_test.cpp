@@ -7,7 +7,7 @@
 namespace repose::theory {
 namespace {
 
-// Stresses of a vertical strain 1 without any other, by the constants of Lame.
+// The stresses of a purely vertical strain of 1, from the Lame constants.
 TEST(QuasiElastic, IsTheConfinedElasticColumn) {
   for (const double nu : {-0.99, -0.3, 0.1, 0.3, 0.499}) {
     const double lame = nu / ((1.0 + nu) * (1.0 - 2.0 * nu));

@@ -55,7 +55,7 @@ TEST(ScreeningFit, FindsTheLengthsOfExactData) {
   }
 }
 
-// Cells of the discrete model as heights, three grains each: its own lengths come back.
+// With the cells of the discrete model as heights, three grains each, the fit finds the lengths of the model.
 TEST(ScreeningFit, FindsTheLengthsOfTheDiscreteModel) {
   for (const auto& [direction, sense, ratio] :
        {std::tuple{"rest", 1.0, 0.91161}, std::tuple{"pushed-up", -1.0, 1.11572}}) {
@@ -94,8 +94,8 @@ double chi_square(double sense, double lambda_1, double lambda_2, const Apparent
   return sum;
 }
 
-// Noisy data: the sum of squares, written down anew, is least there, and the errors are those of the inverse of the
-// matrix of differences of the law.
+// With noisy data, the independently computed sum of squares has its minimum at the fit, and the errors are those of
+// the inverse matrix of numerical derivatives of the law.
 TEST(ScreeningFit, IsTheLeastSumOfSquares) {
   for (const double sense : {1.0, -1.0}) {
     for (const bool with_errors : {true, false}) {
@@ -110,7 +110,7 @@ TEST(ScreeningFit, IsTheLeastSumOfSquares) {
       constexpr double step = 1e-4;
       const double curve_1 = (around(step, 0.0) - 2.0 * least + around(-step, 0.0)) / (step * step);
       const double curve_2 = (around(0.0, step) - 2.0 * least + around(0.0, -step)) / (step * step);
-      // Slopes in units of the curvature: how far off the minimum is, relative to the length.
+      // Slopes in units of the curvature: the distance to the minimum relative to the length.
       EXPECT_NEAR((around(step, 0.0) - around(-step, 0.0)) / (2.0 * step) / curve_1, 0.0, 1e-6);
       EXPECT_NEAR((around(0.0, step) - around(0.0, -step)) / (2.0 * step) / curve_2, 0.0, 1e-6);
 
@@ -135,10 +135,10 @@ TEST(ScreeningFit, IsTheLeastSumOfSquares) {
   }
 }
 
-// 2000 draws of noise: the estimates scatter as their stated errors say (a standard deviation from 2000 is right to
-// 1/sqrt(4000) = 1.6 per cent, three times that is allowed and 1 per cent for the curvature of the law), are right on
-// average, and the truth lies within one error as often as a normal deviate does: 68.3 +- 1.04 per cent (with 13
-// degrees of freedom that scale the errors: Student's t, 66.4).
+// 2000 draws of noise. The scatter of the estimates agrees with their errors (a standard deviation from 2000 draws is
+// accurate to 1/sqrt(4000) = 1.6 per cent; three times that is allowed, and 1 per cent for the curvature of the law).
+// The estimates are right on average. The true value lies within one error as often as a normal deviate: 68.3 +- 1.04
+// per cent (with 13 degrees of freedom that scale the errors: Student's t, 66.4).
 TEST(ScreeningFit, ErrorsAreTheScatterOfTheEstimates) {
   constexpr int draws = 2000;
   for (const double sense : {1.0, -1.0}) {
@@ -180,7 +180,7 @@ TEST(ScreeningFit, ErrorsAreTheScatterOfTheEstimates) {
   }
 }
 
-TEST(ScreeningFit, SaysWhatDataDoNotDetermine) {
+TEST(ScreeningFit, RefusesDataThatDoNotDetermineTheLengths) {
   const ScreeningLaw rest{mass_per_height, 1.0, 2};
   const ScreeningLaw up{mass_per_height, -1.0, 2};
   const std::vector<double> heights = {1.0, 2.0, 3.0, 4.0};
@@ -198,7 +198,7 @@ TEST(ScreeningFit, SaysWhatDataDoNotDetermine) {
   EXPECT_NE(complaint(rest, {heights, {-1.0, -1.5, -1.7, -1.8}, {}}).find("negative"), std::string::npos);
 }
 
-// As many rows as parameters: the law goes through them, errors need those of the data.
+// With as many rows as parameters the law passes through the data, and errors follow only from errors of the data.
 TEST(ScreeningFit, WithoutFreedomErrorsNeedThoseOfTheData) {
   auto data = exact(1.0, 2.0, 1.5, 2, 1.0);
   const auto fit = fit_screening({mass_per_height, 1.0, 2}, data);

@@ -33,7 +33,7 @@ TEST(ContactGeometry, OfGrains) {
   EXPECT_EQ(contact.normal_force, 0.0);
 }
 
-TEST(ContactGeometry, OfGrainsOverTheEndsOfAPeriodicBox) {
+TEST(ContactGeometry, OfGrainsAcrossAPeriodicBoundary) {
   Box<2> box;
   box.periodic = true;
   box.x_min = -10.0;
@@ -43,7 +43,7 @@ TEST(ContactGeometry, OfGrainsOverTheEndsOfAPeriodicBox) {
   EXPECT_NEAR(contact.normal[0], -1.0, 1e-15);
 }
 
-// A smooth wall stands for a row of grain centres: it is met at a whole diameter.
+// A smooth wall stands for a row of grain centres: a grain touches it at a whole diameter.
 TEST(ContactGeometry, WithAWall) {
   const auto grains = two_discs({{0.0, 5.0}});
   std::vector<Wall<2>> walls(2);
@@ -52,12 +52,12 @@ TEST(ContactGeometry, WithAWall) {
   const WallNow<2> now{{{0.0, 0.6}}, {}, true};
   const auto rough = contact_with_wall(grains, 0, walls, 0, now, Box<2>{});
   EXPECT_EQ(rough.first, 7);
-  EXPECT_EQ(rough.second, plane_partner(0));
+  EXPECT_EQ(rough.second, wall_partner(0));
   EXPECT_NEAR(rough.overlap, 0.1, 1e-15);
   EXPECT_NEAR(rough.relative_overlap, 0.1, 1e-15);
   EXPECT_EQ(rough.normal[1], 1.0);
   const auto smooth = contact_with_wall(grains, 0, walls, 1, now, Box<2>{});
-  EXPECT_EQ(smooth.second, plane_partner(1));
+  EXPECT_EQ(smooth.second, wall_partner(1));
   EXPECT_NEAR(smooth.overlap, 0.6, 1e-15);
 }
 

@@ -84,8 +84,8 @@ TEST(Energy, PistonAndLoad) {
   const auto& piston = world.method().walls()[1];
   EXPECT_GT(piston.displacement, 0.2);
   EXPECT_NEAR(end.walls_work, 20.0 * piston.displacement - 0.5 * 10.0 * piston.speed * piston.speed, 2e-3);
-  const auto way = world[3].position - start;
-  EXPECT_NEAR(end.loads_work, 1.5 * way[0] - 0.5 * way[1], 1e-3);
+  const auto displacement = world[3].position - start;
+  EXPECT_NEAR(end.loads_work, 1.5 * displacement[0] - 0.5 * displacement[1], 1e-3);
   EXPECT_GT(end.damping, 0.1);
   EXPECT_GT(end.friction, 0.001);
   EXPECT_NEAR(end.error(), 0.0, 1e-3 * end.put_in());

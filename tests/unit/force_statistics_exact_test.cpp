@@ -24,9 +24,9 @@ Contact<2> contact(double force, double normal_deg, bool sliding = false) {
 Contacts<2> exponential_forces(std::size_t count) {
   Contacts<2> contacts;
   for (std::size_t k = 0; k < count; ++k) {
-    const double share = uniform(5, Purpose::grain_size, k);
+    const double fraction = uniform(5, Purpose::grain_size, k);
     const double angle = 360.0 * uniform(6, Purpose::grain_size, k);
-    contacts.list.push_back(contact(-3.0 * std::log(1.0 - share), angle));
+    contacts.list.push_back(contact(-3.0 * std::log(1.0 - fraction), angle));
   }
   return contacts;
 }

@@ -169,11 +169,11 @@ TEST(RollingSpring, SlopeOfRest) {
     SoftWorld<2, AnyPairLaw> world(law, settings);
     const auto disc = world.add(settings.walls[0].normal * 0.4999);
     world.advance(100000);
-    const double way = magnitude(world[disc].position - settings.walls[0].normal * 0.4999);
+    const double displacement = magnitude(world[disc].position - settings.walls[0].normal * 0.4999);
     if (slope < 0.2) {
-      EXPECT_LT(way, 5e-3);
+      EXPECT_LT(displacement, 5e-3);
     } else {
-      EXPECT_NEAR(way, (std::sin(angle) - 0.2 * std::cos(angle)) / 3.0 * 400.0, 0.1);
+      EXPECT_NEAR(displacement, (std::sin(angle) - 0.2 * std::cos(angle)) / 3.0 * 400.0, 0.1);
     }
   }
 }

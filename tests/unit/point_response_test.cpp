@@ -20,7 +20,7 @@ constexpr double past_linear = 1.05;                     // of the response to t
 const std::vector<double> amplitudes = {0.9, 1.0, 1.1};  // by seed: mean 1, standard deviation 0.1
 
 Scene bed(double place, double force) {
-  auto scene = read_scene_text(R"([contact]
+  auto scene = scene_from_text(R"([contact]
 friction = 0.0
 [base]
 kind = "row"
@@ -41,8 +41,8 @@ time = 1.0
   return scene;
 }
 
-/// Share of the load that a disc of the base bears, by an elastic layer.
-double share(double from_load) {
+/// The fraction of the load that a disc of the base carries, by an elastic layer.
+double fraction_of_load(double from_load) {
   theory::PointLoad layer;
   layer.floor = "rough-rigid";
   layer.poisson = poisson;
@@ -55,7 +55,8 @@ double share(double from_load) {
   return sum;
 }
 
-/// A plan of an unloaded bed, two places of a load of 2 and one of a load of 4, and members that answer as planted.
+/// A plan with an unloaded bed, two positions of a load of 2 and one of a load of 4, and members with planted
+/// responses.
 struct Planted {
   SweepPlan plan;
   SweepTable table;
@@ -69,7 +70,7 @@ struct Planted {
       point.scene = bed(place, force);
       plan.points.push_back(point);
       for (std::size_t s = 0; s < plan.seeds.size(); ++s) {
-        // What differs between the places of a seed goes out of its mean.
+        // Differences between the positions of a seed cancel in its mean.
         const double at_place = place > 0.0 ? -0.02 : 0.02;
         const double amplitude = (amplitudes[s] + at_place) * (force > 3.0 ? past_linear : 1.0);
         MemberRow member{
@@ -77,7 +78,7 @@ struct Planted {
         for (int k = -40; k <= 40; ++k) {
           const double from_load = std::remainder(k - place, 81.0);
           member.base.x.push_back(k);
-          member.base.normal.push_back(10.0 + std::sin(k) + force * amplitude * share(from_load));
+          member.base.normal.push_back(10.0 + std::sin(k) + force * amplitude * fraction_of_load(from_load));
           member.base.shear.push_back(0.0);
         }
         table.members.push_back(std::move(member));
@@ -104,7 +105,7 @@ struct Planted {
   }
 };
 
-TEST(PointResponse, FindsWhatWasPlanted) {
+TEST(PointResponse, FindsThePlantedResponse) {
   const auto responses = Planted{}.responses();
   ASSERT_EQ(responses.size(), 2U);
   const auto& one = responses[0];
@@ -116,22 +117,23 @@ TEST(PointResponse, FindsWhatWasPlanted) {
   double total = 0.0;
   double moment = 0.0;
   for (int k = -40; k <= 40; ++k) {
-    total += share(k);
-    if (std::abs(k) <= 2.0 * depth) moment += k * k / depth / depth * share(k);
+    total += fraction_of_load(k);
+    if (std::abs(k) <= 2.0 * depth) moment += k * k / depth / depth * fraction_of_load(k);
   }
   EXPECT_NEAR(one.total.mean, total, 1e-12);
   EXPECT_NEAR(total, 1.0, 0.015);  // the rest, 1 %, lies beyond 2.53 depths
   EXPECT_NEAR(one.second_moment.mean, moment, 1e-12);
-  EXPECT_NEAR(one.second_moment.error, 0.1 / std::sqrt(3.0) * moment, 1e-12);  // between seeds, not between places
+  EXPECT_NEAR(one.second_moment.error, 0.1 / std::sqrt(3.0) * moment, 1e-12);  // between seeds, not between positions
   for (std::size_t b = 0; b < one.x.size(); ++b) {
-    // Two pitches, of which the outer ones lie half in the bin.
+    // The bin is two pitches wide and holds half of each outer disc.
     const double k = one.x[b] * depth;
-    const double expected = (0.5 * share(k - 1.0) + share(k) + 0.5 * share(k + 1.0)) * depth / 2.0;
+    const double expected =
+        (0.5 * fraction_of_load(k - 1.0) + fraction_of_load(k) + 0.5 * fraction_of_load(k + 1.0)) * depth / 2.0;
     EXPECT_NEAR(one.bins[b].mean, expected, 1e-12) << one.x[b];
     EXPECT_NEAR(one.bins[b].error, 0.1 / std::sqrt(3.0) * std::abs(expected), 1e-12) << one.x[b];
   }
   EXPECT_TRUE(std::isnan(one.nonlinearity));
-  // The first amplitude of the larger load against the smaller one, at the place in common.
+  // The first amplitude of the larger load against the smaller one, at their common position.
   EXPECT_NEAR(responses[1].nonlinearity, past_linear - 1.0, 1e-12);
 }
 
@@ -146,8 +148,8 @@ TEST(PointResponse, JudgesTheCurves) {
     }
     EXPECT_NEAR(curve.chi_square, chi_square, 1e-6 * chi_square) << curve.name;
   }
-  EXPECT_EQ(one.poisson, 0.25);  // of springs without a tangential part
-  // Forces are spread over a pitch, 1/16 of the depth: that moves the fit by about its square.
+  EXPECT_EQ(one.poisson, 0.25);  // for springs without a tangential part
+  // Forces are spread over a pitch, 1/16 of the depth, which changes the fit by about its square.
   EXPECT_NEAR(one.fitted_poisson, poisson, 0.02);
   EXPECT_LT(one.curves[3].chi_square, one.curves[0].chi_square);
   EXPECT_LT(one.curves[0].chi_square, 0.1 * one.curves[1].chi_square);

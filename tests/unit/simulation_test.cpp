@@ -14,7 +14,8 @@
 #include <limits>
 #include <stdexcept>
 
-// A run is the same to the bit however it is divided into advances, whoever observes it, and across a checkpoint.
+// A run is the same to the bit however calls divide it into advances, with and without observers, and across a
+// checkpoint.
 
 namespace repose {
 namespace {
@@ -91,10 +92,10 @@ source = { count = 333 }
 output = { series = 50 }
 )"}};
 
-Simulation make(const Case& one, int threads) { return Simulation(read_scene_text(one.scene, "scene.toml"), threads); }
+Simulation make(const Case& one, int threads) { return Simulation(scene_from_text(one.scene, "scene.toml"), threads); }
 
 std::string bytes_of(const std::vector<SeriesRow>& rows) {
-  static_assert(sizeof(SeriesRow) == 8 * 23, "without gaps, whose bytes are any");
+  static_assert(sizeof(SeriesRow) == 8 * 23, "no padding, whose bytes are arbitrary");
   return {reinterpret_cast<const char*>(rows.data()), rows.size() * sizeof(SeriesRow)};
 }
 
@@ -104,7 +105,7 @@ struct Seen {
   std::vector<double> heights;
   std::vector<double> forces;
 
-  void look(const Simulation& simulation) {
+  void observe(const Simulation& simulation) {
     double height = 0.0;
     for (const auto k : by_id(simulation.grains())) height += simulation.grains().line[k].position[1];
     double force = 0.0;
@@ -171,8 +172,8 @@ TEST(Simulation, PiecesAndObserversLeaveTheBits) {
       auto pieces = make(one, threads);
       Seen often;
       Seen seldom;
-      pieces.observe_every(1.7 * pieces.time_step(), [&](const Simulation& s) { often.look(s); });
-      pieces.observe_every(37.0 * pieces.time_step(), [&](const Simulation& s) { seldom.look(s); });
+      pieces.observe_every(1.7 * pieces.time_step(), [&](const Simulation& s) { often.observe(s); });
+      pieces.observe_every(37.0 * pieces.time_step(), [&](const Simulation& s) { seldom.observe(s); });
       advance_in_pieces(pieces, forever, static_cast<std::uint64_t>(threads));
       expect_same(record, pieces.record(), std::to_string(threads) + " threads, in pieces");
       for (std::size_t k = 0; k < seldom.times.size(); ++k) {
@@ -193,12 +194,12 @@ TEST(Simulation, PiecesAcrossACheckpointLeaveTheBits) {
     auto whole = make(one, 1);
     Seen undisturbed;
     const double interval = 11.0 * whole.time_step();
-    whole.observe_every(interval, [&](const Simulation& s) { undisturbed.look(s); });
+    whole.observe_every(interval, [&](const Simulation& s) { undisturbed.observe(s); });
     whole.run();
     for (const double part : {0.0, 0.21, 0.777}) {
       auto first = make(one, 2);
       Seen seen;
-      first.observe_every(interval, [&](const Simulation& s) { seen.look(s); });
+      first.observe_every(interval, [&](const Simulation& s) { seen.observe(s); });
       advance_in_pieces(first, part * whole.time(), 5);
       first.advance(part * whole.time());
       testing::MemoryArchive archive;
@@ -208,7 +209,7 @@ TEST(Simulation, PiecesAcrossACheckpointLeaveTheBits) {
       second.exchange(archive);
       second.restored(first.track());
       EXPECT_EQ(second.time(), first.time());
-      second.observe_every(interval, [&](const Simulation& s) { seen.look(s); });
+      second.observe_every(interval, [&](const Simulation& s) { seen.observe(s); });
       advance_in_pieces(second, forever, 6);
       expect_same(whole.record(), second.record(), "a checkpoint at " + std::to_string(first.time()));
       EXPECT_EQ(seen.times, undisturbed.times);
@@ -217,7 +218,7 @@ TEST(Simulation, PiecesAcrossACheckpointLeaveTheBits) {
   }
 }
 
-// The state is there between advances, at the end of the step that is nearest to the time.
+// After an advance the state is that at the end of the step nearest to the requested time.
 TEST(Simulation, AdvancesToATimeAndNoFurther) {
   auto simulation = make(cases[0], 1);
   EXPECT_EQ(simulation.advance(0.0).time, 0.0);
@@ -250,7 +251,7 @@ TEST(Simulation, APauseEndsAnAdvanceAndInterruptsARun) {
   EXPECT_EQ(simulation.message(), "interrupted");
 }
 
-// An observer that throws ends the advance at its time; what else was due then is done by the next advance.
+// An observer that throws ends the advance at its time. The next advance does what else was due then.
 TEST(Simulation, AnObserverThatThrowsLeavesTheRunSound) {
   for (const auto& one : cases) {
     SCOPED_TRACE(one.name);

@@ -84,9 +84,9 @@ TEST(SizeDistribution, LogNormalHasTheMomentsOfTheDiameter) {
 TEST(SizeDistribution, TableByNumber) {
   const auto drawn = sample(SizeDistribution::table({0.5, 2.0, 1.0}, {1.0, 3.0, 4.0}));
   double chi2 = 0.0;
-  for (const auto& [diameter, share] : {std::pair{0.5, 0.125}, {2.0, 0.375}, {1.0, 0.5}}) {
+  for (const auto& [diameter, fraction] : {std::pair{0.5, 0.125}, {2.0, 0.375}, {1.0, 0.5}}) {
     const auto count = static_cast<double>(std::count(drawn.begin(), drawn.end(), diameter));
-    const double expected = share * static_cast<double>(sample_size);
+    const double expected = fraction * static_cast<double>(sample_size);
     chi2 += std::pow(count - expected, 2) / expected;
   }
   EXPECT_LT(chi2, 13.8);

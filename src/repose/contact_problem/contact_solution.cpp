@@ -12,7 +12,7 @@ namespace repose {
 
 namespace {
 
-/// Of this thread [s].
+/// CPU time of this thread [s].
 double cpu_time() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

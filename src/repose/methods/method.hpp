@@ -21,11 +21,11 @@ template <int D>
 struct Problem;
 }
 
-/// What an advance did.
+/// Result of an advance.
 struct StepReport {
   double time = 0.0;     ///< [T] reached
   long steps = 0;        ///< steps taken, or events
-  bool trouble = false;  ///< a grain became too fast to follow, or not a number: the state is not to be trusted
+  bool trouble = false;  ///< a grain became too fast to follow, or not a number: do not use the state
 };
 
 /// A constant outer force on one grain.
@@ -35,44 +35,44 @@ struct Load {
   Vec<D> force{};          ///< [M L/T^2]
 };
 
-/// A method that moves the grains, as the Simulation sees it. What a method must do comes first; what only some do has
-/// an empty default.
+/// A method that moves the grains, as the Simulation sees it. The functions that every method must have come first; the
+/// others have an empty default.
 template <int D>
 class Method {
  public:
   virtual ~Method() = default;
 
-  /// How it divides time.
+  /// How the method divides time into steps.
   virtual TimeSteps time_steps() const = 0;
 
-  /// Of the present state [T].
+  /// Time of the present state [T].
   virtual double time() const = 0;
 
-  /// Brings the grains to a time, or as near to it as equal steps come. Where steps vary it may return before that, so
-  /// that no call takes much longer than a second. The state does not depend on the times between which calls divide a
-  /// run.
+  /// Brings the grains to a time, or as near to it as equal steps come. Where steps vary it may return earlier, so that
+  /// no call takes much longer than a second. The state does not depend on how calls divide a run.
   virtual StepReport advance(Grains<D>& grains, double until, Team& team) = 0;
 
-  /// Called after grains were added at the end of the arrays.
+  /// The Simulation calls this after it has added grains at the end of the arrays.
   virtual void grains_added(Grains<D>& grains) = 0;
 
-  /// Brings what the method knows of the grains up to date: grains that have left the box are dropped.
+  /// Brings what the method stores about the grains up to date, and drops grains that have left the box.
   virtual void refresh(Grains<D>& grains, Team& team) = 0;
 
-  /// All that the method knows besides its settings, for a checkpoint.
+  /// Writes or reads everything that the method stores besides its settings, for a checkpoint.
   virtual void exchange(Archive& archive) = 0;
 
-  /// Called after grains and method have been restored: the next step is that which would have been the next.
+  /// The Simulation calls this after it has restored grains and method from a checkpoint. The next step must be the
+  /// one that would have followed without the checkpoint.
   virtual void restored(const Grains<D>& /*grains*/, const Team& /*team*/) {}
 
   /// Contacts of the present state, ordered by ids.
   virtual Contacts<D> contacts(const Grains<D>& /*grains*/) const { return {}; }
 
-  /// Gives contacts the slip displacements that they have elsewhere, as `contacts` reports them, pairs by ids. Called
-  /// at the start, after a refresh.
+  /// Sets the slip displacements of contacts to those of another run, as its `contacts` reported them; pairs are found
+  /// by ids. The Simulation calls this at the start, after a refresh.
   virtual void set_histories(const Grains<D>& /*grains*/, const Contacts<D>& /*contacts*/) {}
 
-  /// The outer forces from now on; the list may only grow, and a load that ends becomes zero.
+  /// Sets the outer forces from now on. The list may only grow; a load that ends becomes zero.
   virtual void set_loads(const std::vector<Load<D>>& /*loads*/) {}
 
   /// Where the walls are now.
@@ -81,28 +81,28 @@ class Method {
     return none;
   }
 
-  /// Impulse of the grains on each wall [M L/T] since the last call.
+  /// Impulse of the grains on each wall [M L/T] since the last call, which this call resets.
   virtual std::vector<Vec<D>> take_wall_impulses() { return std::vector<Vec<D>>(walls().size()); }
 
-  /// What the solver did since the last call; nothing for a method without a solver.
+  /// Work of the solver since the last call, which this call resets; empty for a method without a solver.
   virtual SolverAccount take_solver_account() { return {}; }
 
-  /// The contact problem of the step that begins at a time [T], which is that of the grains, unsolved: contacts start
-  /// from what `set_histories` gave them. Null for a method that poses none.
+  /// The contact problem of the step that begins at a time [T], not yet solved. The time is that of the grains, and
+  /// contacts start from the slip displacements of `set_histories`. Null for a method that poses no contact problem.
   virtual const contact_dynamics::Problem<D>* problem_at(double /*time*/, Grains<D>& /*grains*/, Team& /*team*/) {
     return nullptr;
   }
 
-  /// The account of the energy half a step ago; empty unless the method keeps one.
+  /// The energies half a step ago; empty unless the method keeps an account of them.
   virtual Energy energy(const Grains<D>& /*grains*/) const { return {}; }
 
-  /// Grains that the method itself has made, for one that forms a packing grain by grain.
+  /// Number of grains that the method itself has added, for a method that forms a packing grain by grain.
   virtual std::int64_t made() const { return 0; }
 
-  /// Whether there is nothing more for the method to do.
+  /// Whether the method has nothing more to do.
   virtual bool complete() const { return false; }
 
-  /// Grains that one step moves, out of so many that can move.
+  /// Number of grains that one step moves, when `moving` grains can move.
   virtual double grains_per_step(std::size_t moving) const { return static_cast<double>(moving); }
 };
 

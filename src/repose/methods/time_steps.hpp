@@ -10,19 +10,19 @@ namespace repose {
 
 /// How a method divides time, and the one rule that turns a time into whole steps.
 struct TimeSteps {
-  double length = 0.0;     ///< [T] of every step; 0: steps vary, and the method can stop at any time
+  double length = 0.0;     ///< [T] of every step; 0 when steps vary and the method can stop at any time
   bool staggered = false;  ///< velocities lag half a step behind positions, except at time 0
 
   bool equal() const { return length > 0.0; }
 
-  /// Number of steps nearest to a time, and the time [T] after a number of steps. Where steps are equal.
+  /// The number of steps nearest to a time, and the time [T] after a number of steps. Only for equal steps.
   long count(double time) const { return std::lround(bounded(time / length)); }
   double after(long steps) const { return static_cast<double>(steps) * length; }
 
   /// The time nearest to this one at which the method can stop.
   double nearest(double time) const { return equal() ? after(count(time)) : time; }
 
-  /// The first time not before this one, less `tolerance` steps, at which the method can stop.
+  /// The first time at which the method can stop and that is not before `time` less `tolerance` steps.
   double at_or_after(double time, double tolerance = 0.0) const {
     return equal() ? after(static_cast<long>(std::ceil(bounded(time / length - tolerance)))) : time;
   }
@@ -43,15 +43,15 @@ struct TimeSteps {
   /// How far velocities lag behind positions at a time [T].
   double velocity_lag(double time) const { return staggered && time > 0.0 ? 0.5 * length : 0.0; }
 
-  /// A number of steps that can be counted: more than any run takes stand for what would take longer.
+  /// Limits a number of steps to one that a long holds and no run reaches.
   static double bounded(double steps) {
     constexpr double most = 1e15;
     return std::min(std::max(0.0, steps), most);
   }
 };
 
-/// The multiples of an interval, at which something falls due. They do not depend on when the question is asked, so
-/// that a resumed run finds the same ones.
+/// The multiples of an interval, at which something is due. They do not depend on the time of the question, so a
+/// resumed run finds the same ones.
 class Every {
  public:
   /// Multiples of an interval [T], rounded to whole steps; none if it is 0.
@@ -61,7 +61,8 @@ class Every {
     count_ = steps.equal() ? steps.count(interval_) : 1;
   }
 
-  /// Every so many of the times of another: as many as come nearest to an interval [T], at least one; none if it is 0.
+  /// Every n-th of the times of another, where n is at least one and brings the interval nearest to `interval` [T];
+  /// none if that is 0.
   Every(double interval, const Every& of) : steps_(of.steps_), unit_(of.interval_) {
     if (!(interval > 0.0) || of.never()) return;
     const double multiple = std::max(1.0, std::round(TimeSteps::bounded(interval / unit_)));
@@ -89,7 +90,7 @@ class Every {
     return multiple * interval_;
   }
 
-  /// For every so many of the times of another: whether the latest of those at a time is one of these.
+  /// For multiples built from those of another: whether the latest of the other's times at `time` is one of these.
   bool latest(double time) const {
     if (never()) return false;
     if (steps_.equal()) return steps_.count(time) / steps_.count(unit_) * steps_.count(unit_) % count_ == 0;

@@ -76,7 +76,7 @@ class Packs::Builder {
   void add_all() {
     while (open_count_ < window) open();
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
-      const auto taken = taken_by(contacts_[k]);
+      const auto taken = packs_with(contacts_[k]);
       auto fitting = open_ & ~with_neighbours(taken);
       if (!fitting) fitting = open_ & ~taken;
       if (!fitting) {
@@ -98,7 +98,7 @@ class Packs::Builder {
       close(last);
       for (auto& lanes = used(last); lanes > 0; --lanes) {
         auto& k = to_.contacts_[last][lanes - 1u];
-        const auto fitting = open_ & ~taken_by(contacts_[k]);
+        const auto fitting = open_ & ~packs_with(contacts_[k]);
         if (!fitting) return;
         const auto pack = oldest(fitting);
         add(k, pack);
@@ -116,7 +116,7 @@ class Packs::Builder {
   std::uint8_t& used(std::size_t pack) { return used_[pack % remembered]; }
 
   /// The packs that contain a moving body of the contact.
-  std::uint64_t taken_by(const ContactLine<2>& c) const {
+  std::uint64_t packs_with(const ContactLine<2>& c) const {
     return to_.presence_[c.first].packs | to_.presence_[c.second].packs;
   }
 
