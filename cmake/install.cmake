@@ -22,10 +22,8 @@ add_custom_command(OUTPUT ${documents}/repose.1 ${documents}/repose.bash ${docum
 add_custom_target(repose_documents ALL DEPENDS ${documents}/repose.1)
 add_custom_target(repose_installed DEPENDS repose repose_library repose_documents)
 
-# Calls within the position independent library stay direct.
 set_target_properties(repose_library PROPERTIES EXPORT_NAME repose)
 set_target_properties(repose_theory PROPERTIES EXPORT_NAME theory)
-target_compile_options(repose_flags INTERFACE -fno-semantic-interposition)
 
 # Users of the installed library get its headers and what it must be linked with, but not the flags that build it.
 foreach(library repose_library repose_theory)
