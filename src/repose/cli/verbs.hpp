@@ -11,9 +11,9 @@ inline constexpr int exit_bad_input = 2;
 inline constexpr int exit_interrupted = 130;
 
 // The verbs in the order of the help. A verb is one file, which defines NAME_verb(), and its name here.
-#define REPOSE_VERBS(verb) \
+#define REPOSE_VERBS(verb)                                                                                      \
   verb(run) verb(check) verb(scene) verb(resume) verb(sweep) verb(analyse) verb(plot) verb(theory) verb(export) \
-  verb(solve) verb(reference)
+      verb(solve) verb(reference)
 
 #define REPOSE_DECLARE_VERB(name) Verb name##_verb();
 REPOSE_VERBS(REPOSE_DECLARE_VERB)
