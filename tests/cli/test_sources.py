@@ -288,7 +288,7 @@ def test_refused_starts(lab, heap):
         ("[[species]]\nsizes = { kind = 'sieve', diameters = [2, 1], passing = [0, 1] }\n", "each larger than the one before"),
         ("[[species]]\nsizes = { kind = 'sieve', diameters = [1, 2], passing = [0, 0.9] }\n", "must rise from 0 to 1"),
         ("[[species]]\nmaterial = 'gold'\n", 'species[0].material = "gold": must be one of'),
-        ("[grains]\npolydispersity = 0.1\n[[species]]\nname = 'a'\n", "grains.polydispersity = 0.1: must be 0 where there are"),
+        ("[grains]\npolydispersity = 0.1\n[[species]]\nname = 'a'\n", "grains.polydispersity = 0.1: must be 0 with [[species]]"),
     ],
 )
 def test_refused_scenes(lab, scene, part):
