@@ -157,7 +157,9 @@ def test_the_example_in_cpp_builds_and_pours_the_heap_of_the_program(program, pr
 
 
 def files_below(folder):
-    return {str(file.relative_to(folder)) for file in folder.rglob("*") if file.is_file()}
+    """Files by their paths below a folder, but for what Python compiles as it runs."""
+    files = {file.relative_to(folder) for file in folder.rglob("*") if file.is_file()}
+    return {str(file) for file in files if "__pycache__" not in file.parts}
 
 
 @pytest.fixture(scope="module")
