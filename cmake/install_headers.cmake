@@ -3,6 +3,7 @@
 #
 # Run by `cmake --install`: copies the header of the API, and those that it includes, from repose_source to
 # repose_include.
+cmake_policy(VERSION 3.25)
 set(pending repose/api/repose.hpp)
 set(done)
 while(pending)

@@ -9,7 +9,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from conftest import HEAP, repose
+from conftest import HEAP, PROGRAM, repose
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 
@@ -77,7 +77,7 @@ def test_files_in_examples_exist_and_their_scenes_are_valid():
         for word in words:
             if word.startswith("examples/"):
                 assert (EXAMPLES.parent / word).is_file(), command
-        if words[1] in ("run", "check"):
+        if words[1] in ("run", "check") and words[2].startswith("examples/"):
             settings = [word for at, word in enumerate(words) if words[at - 1] == "--set" or word == "--set"]
             printed("check", EXAMPLES.parent / words[2], *settings)
             scenes += 1
@@ -91,10 +91,11 @@ def test_all_examples_run_one_after_the_other(lab):
     for command in all_examples():
         words = shlex.split(command)
         if words[1] == "plot" and "--only" not in words:  # one picture stands for all
-            words += ["--only", "theory" if "--theory" in words else "angle" if words[2] == "spacing" else "heap"]
-        result = lab(*words[1:], timeout=120)
+            command += " --only " + ("theory" if "--theory" in words else "angle" if words[2] == "spacing" else "heap")
+        shell = f'repose() {{ {shlex.quote(PROGRAM)} "$@"; }}\n{command}'
+        result = subprocess.run(["bash", "-c", shell], cwd=lab.path, capture_output=True, text=True, timeout=120)
         assert result.returncode == 0, f"{command}: {result.stderr}"
-    written = ["heap/pictures/heap.png", "heap/pictures/theory.png", "heap/pictures/chains.png", "theory.png",
+    written = ["my-heap.toml", "heap/pictures/heap.png", "heap/pictures/theory.png", "heap/pictures/chains.png", "theory.png",
                "rough/run.h5", "spacing/table.csv", "spacing/pictures/angle.png", "heap/export/vtk/grains.pvd",
                "tables/grains.csv", "ife.csv", "ife.png"]
     missing = [name for name in written if not (lab.path / name).is_file()]

@@ -151,7 +151,7 @@ def test_a_finished_run_without_its_analysis_gets_it(undisturbed):
         spoil(out / "summary.json")
         (out / "checkpoints").mkdir()
         (out / "checkpoints/0.h5").write_text("remains")
-        assert "has been made now" in lab("resume", out).stdout
+        assert "its analysis was missing and has been made" in lab("resume", out).stdout
         assert_same_run(lab.path / "whole", out)
         assert not (out / "checkpoints").exists()
 

@@ -10,10 +10,21 @@ inline constexpr int exit_run_trouble = 1;
 inline constexpr int exit_bad_input = 2;
 inline constexpr int exit_interrupted = 130;
 
-// The verbs in the order of the help. A verb is one file, which defines NAME_verb(), and its name here.
-#define REPOSE_VERBS(verb)                                                                                      \
-  verb(run) verb(check) verb(scene) verb(resume) verb(sweep) verb(analyse) verb(plot) verb(theory) verb(export) \
-      verb(solve) verb(reference)
+// The verbs in the order of the help. A verb is one file, which defines NAME_verb(), and its line here.
+// clang-format off
+#define REPOSE_VERBS(verb) \
+  verb(scene) \
+  verb(check) \
+  verb(run) \
+  verb(resume) \
+  verb(sweep) \
+  verb(analyse) \
+  verb(plot) \
+  verb(theory) \
+  verb(export) \
+  verb(solve) \
+  verb(reference)
+// clang-format on
 
 #define REPOSE_DECLARE_VERB(name) Verb name##_verb();
 REPOSE_VERBS(REPOSE_DECLARE_VERB)
