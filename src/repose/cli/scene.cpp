@@ -44,7 +44,8 @@ Verb scene_verb() {
       .details = "Without KIND the kinds are listed.",
       .arguments = {{.name = "KIND", .about = "Kind of scene", .target = kind.get(), .suggestions = names_of_kinds}},
       .examples = {{"repose scene", "List the kinds"},
-                   {"repose scene heap", "Print the scene of a heap; send it to a file with > my-heap.toml"}},
+                   {"repose scene heap > my-heap.toml", "Start a scene of a heap"},
+                   {"repose check my-heap.toml", "See what it would run, after editing it"}},
       .act = [kind] { return act(*kind); }};
 }
 
