@@ -16,11 +16,10 @@ int main(int argc, char** argv) {
     return 2;
   }
   auto bed = bench::read_bed(REPOSE_BED, 1);
-  using Law = PairLaw<Hooke, Linear>;
-  Soft<2, Law> method(soft::MaterialTable<Law>(bench::hooke_linear()), bench::settings_of(bed));
+  const auto method = make_kernel<2>(MaterialTable(bench::hooke_linear()), bench::settings_of(bed));
   Team team(1);
-  method.grains_added(bed.grains);
-  method.advance(bed.grains, method.time_steps().after(std::stol(argv[1])), team);
+  method->grains_added(bed.grains);
+  method->advance(bed.grains, method->time_steps().after(std::stol(argv[1])), team);
   double mass = 0.0;
   double height = 0.0;
   for (const auto& grain : bed.grains.line) {
@@ -30,7 +29,7 @@ int main(int argc, char** argv) {
   }
   double force = 0.0;
   const auto fixed = [](std::int64_t id) { return id < 200; };  // ids of the row come first in the file
-  for (const auto& contact : method.contacts(bed.grains).list) {
+  for (const auto& contact : method->contacts(bed.grains).list) {
     if (fixed(contact.first)) force -= force_of(contact)[1];
     if (fixed(contact.second)) force += force_of(contact)[1];
   }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "bed.hpp"
-#include "repose/methods/soft/soft.hpp"
+#include "repose/methods/soft/kernels.hpp"
 
 #include <cmath>
 

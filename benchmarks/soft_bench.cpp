@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bed_scene.hpp"
+#include "repose/methods/soft/soft.hpp"
 #include "repose/scene/read.hpp"
 #include "repose/simulation/methods.hpp"
 #include "repose/simulation/simulation.hpp"
@@ -18,8 +19,7 @@
 namespace repose::bench {
 namespace {
 
-using HookeLinear = PairLaw<Hooke, Linear>;
-const PairLaw<Hooke, Cumulative> hooke_cumulative{Hooke{stiffness, 0.15}, Cumulative{0.5, 1.214}};
+const HookeCumulative hooke_cumulative{Hooke{stiffness, 0.15}, Cumulative{0.5, 1.214}};
 
 const Bed& bed_of(int copies) {
   static std::map<int, Bed> beds;
@@ -36,21 +36,22 @@ template <class Law>
 void bed(benchmark::State& state, const Law& law) {
   const auto& start = bed_of(static_cast<int>(state.range(0)));
   auto grains = start.grains;
-  Soft<2, Law> method(soft::MaterialTable<Law>(law), settings_of(start));
+  const auto method = make_kernel<2>(MaterialTable(law), settings_of(start));
+  const auto& pairs = dynamic_cast<const Soft<2, Law>&>(*method).pairs();
   Team team(static_cast<int>(state.range(1)));
-  method.grains_added(grains);
+  method->grains_added(grains);
   const long steps = std::max(10L, 500 / static_cast<long>(state.range(0)));
-  const double duration = method.time_steps().after(steps);
-  method.advance(grains, duration, team);
-  const auto builds = method.pairs().builds();
+  const double duration = method->time_steps().after(steps);
+  method->advance(grains, duration, team);
+  const auto builds = pairs.builds();
   long taken = 0;
   for (auto _ : state) {
-    if (method.advance(grains, method.time() + duration, team).trouble) state.SkipWithError("the bed has exploded");
+    if (method->advance(grains, method->time() + duration, team).trouble) state.SkipWithError("the bed has exploded");
     taken += steps;
   }
   set_rate(state, static_cast<double>(taken), moving_count(grains));
   state.counters["steps_per_build"] =
-      static_cast<double>(taken) / static_cast<double>(std::max(1L, method.pairs().builds() - builds));
+      static_cast<double>(taken) / static_cast<double>(std::max(1L, pairs.builds() - builds));
 }
 
 void bed_hooke_linear(benchmark::State& state) { bed(state, hooke_linear()); }
@@ -104,10 +105,10 @@ BENCHMARK(heap_continuous)->Iterations(20);
 void pair_list_build(benchmark::State& state) {
   const auto& start = bed_of(static_cast<int>(state.range(0)));
   auto grains = start.grains;
-  Soft<2, HookeLinear> method(soft::MaterialTable<HookeLinear>(hooke_linear()), settings_of(start));
+  const auto method = make_kernel<2>(MaterialTable(hooke_linear()), settings_of(start));
   Team team(static_cast<int>(state.range(1)));
-  method.grains_added(grains);
-  method.refresh(grains, team);
+  method->grains_added(grains);
+  method->refresh(grains, team);
   double displacement = settings_of(start).skin;
   for (auto _ : state) {
     state.PauseTiming();
@@ -117,7 +118,7 @@ void pair_list_build(benchmark::State& state) {
     }
     displacement = -displacement;
     state.ResumeTiming();
-    method.refresh(grains, team);
+    method->refresh(grains, team);
   }
   state.counters["seconds_per_grain"] =
       benchmark::Counter(static_cast<double>(grains.size()) * static_cast<double>(state.iterations()),

@@ -14,10 +14,10 @@ import sys
 import tempfile
 from pathlib import Path
 
-FOLDERS = [".ci", "benchmarks", "docs", "examples", "python", "src", "studies", "tests", "tools"]
-SOURCES = {".cpp", ".hpp", ".h", ".cu", ".cuh", ".py", ".sh"}
+FOLDERS = [".ci", "benchmarks", "cmake", "docs", "examples", "python", "src", "studies", "tests", "tools"]
+SOURCES = {".cmake", ".cpp", ".hpp", ".h", ".cu", ".cuh", ".py", ".sh"}
 TEXTS = SOURCES | {".cff", ".cmake", ".json", ".md", ".toml", ".txt", ".yaml", ".yml"}
-LONGEST = 600
+LONGEST = 450
 
 SPDX = [
     re.compile(r"(//|#) SPDX-FileCopyrightText: \d{4} The Repose developers$"),

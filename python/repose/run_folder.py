@@ -82,7 +82,7 @@ class RunFolder:
     state: State  # last state
     series: Table  # columns of /series, one row per observation; empty without
     base: "Table | None"  # forces on the base in grain weights; None without a row of base grains
-    walls: "Table | None"  # name, point (W, D) [L] at the start, normal and direction of motion (W, D), half_length [L]
+    walls: "Table | None"  # name, point at the start and position now (W, D) [L], normal (W, D), half_length [L], open
     energy: "Table | None"  # columns of /energy [M L^2/T^2]; None without an energy budget
     analysis: "Analysis | None"  # Tables of analysis.h5; None without an analysis of the last state
     frames: "list[str]"  # names of the saved frames

@@ -168,7 +168,7 @@ WRONG = {
     "mass of a fixed wall": (MOVING + "mass = 1\n", "wall[0].mass: unknown key"),
     "upright plane in a periodic box": ("[box]\nx = 'periodic'\n[[plane]]\npoint = [0, 0]\nnormal = [1, 1]\n" + MOVING,
                                         "plane[0].normal = [1, 1]: a plane must be level in a periodic box"),
-    "name twice": (MOVING + "name = 'a'\n[[wall]]\nfrom = [0, 5]\nto = [1, 5]\nname = 'a'\n", "wall[1].name = \"a\": is taken"),
+    "name twice": (MOVING + "name = 'a'\n[[wall]]\nfrom = [0, 5]\nto = [1, 5]\nname = 'a'\n", "wall[1].name = \"a\": is used twice"),
     "load without force": (MOVING + "[[load]]\ngrain = 0\n", "load[0].force: missing"),
     "load of nothing": (MOVING + "[[load]]\nforce = [0, 0]\n", "load[0].force = [0, 0]: must have a direction"),
     "opening before the start": (MOVING + "opens_at = -1\n", "wall[0].opens_at = -1: must be >= 0"),

@@ -246,7 +246,7 @@ def test_damage_and_other_files_are_refused(bed):
 
 def test_no_file_is_replaced_without_overwrite(bed):
     (bed.path / "kept.txt").write_text("kept")
-    bed.refused("solve", PROBLEM, "--out", "kept.txt", parts=["is there already"])
+    bed.refused("solve", PROBLEM, "--out", "kept.txt", parts=["already exists"])
     bed.refused("solve", PROBLEM, "--out", PROBLEM, "--overwrite", parts=["is the problem itself"])
     bed.refused("solve", PROBLEM, "--out", "nowhere/answer.h5", parts=["no such folder"])
     bed.refused("solve", PROBLEM, "--tolerance", "-1", parts=["--tolerance"])

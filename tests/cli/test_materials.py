@@ -171,15 +171,15 @@ WRONG = {
     "restitution too small": ("[contact]\nnormal = { law = 'hooke', restitution = 1e-12 }\n" + BODY,
                               "contact.normal.restitution = 1e-12: is less than any damping"),
     "mindlin with hooke": ("[contact]\nnormal = { law = 'hooke' }\ntangential = { law = 'mindlin' }\n" + BODY,
-                           "contact.tangential.law = \"mindlin\": goes with contact.normal.law = \"hertz\" alone"),
+                           "contact.tangential.law = \"mindlin\": needs contact.normal.law = \"hertz\""),
     "rolling without friction": ("[contact]\nrolling = { law = 'spring' }\n" + BODY, "contact.rolling.friction: missing"),
     "viscous without rate": ("[contact]\ntangential = { law = 'viscous' }\n" + BODY, "contact.tangential.rate: missing"),
     "unknown material": (BODY + "[[plane]]\npoint = [0, 0]\nnormal = [0, 1]\nmaterial = 'gold'\n",
                          "plane[0].material = \"gold\": must be one of \"grain\""),
-    "material twice": (BODY + "[[material]]\nname = 'a'\n[[material]]\nname = 'a'\n", "material[1].name = \"a\": is taken"),
+    "material twice": (BODY + "[[material]]\nname = 'a'\n[[material]]\nname = 'a'\n", "material[1].name = \"a\": is used twice"),
     "material without a name": (BODY + "[[material]]\ndensity = 2\n", "material[0].name: missing"),
     "pair twice": (BODY + "[[material]]\nname = 'a'\n[[material]]\nname = 'b'\n" + "[[pair]]\nfirst = 'a'\nsecond = 'b'\n"
-                   "[[pair]]\nfirst = 'b'\nsecond = 'a'\n", "pair[1].second = \"a\": this pair was given before"),
+                   "[[pair]]\nfirst = 'b'\nsecond = 'a'\n", "pair[1].second = \"a\": this pair is given twice"),
     "negative cohesion": ("[contact]\ncohesion = { law = 'constant', force = -1 }\n" + BODY, "contact.cohesion.force = -1: must be >= 0"),
 }
 

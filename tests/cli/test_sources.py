@@ -281,7 +281,7 @@ def test_refused_starts(lab, heap):
         ("[base]\nkind = 'deposited'\nhalf_width = 20\nroughness = 0.7\n", "base.roughness = 0.7: must be at most 0.5"),
         ("[base]\nkind = 'deposited'\nhalf_width = 0.4\n", "base.half_width = 0.4: too narrow for a deposited base"),
         ("[[species]]\nsizes = { kind = 'uniform', low = 2, high = 1 }\n", "species[0].sizes.high = 1: must be >= low = 2"),
-        ("[[species]]\nsizes = { kind = 'normal', mean = 1, deviation = 0.5 }\n", "its default, -0.5, will not do: must be > 0"),
+        ("[[species]]\nsizes = { kind = 'normal', mean = 1, deviation = 0.5 }\n", "its default is -0.5: must be > 0"),
         ("[[species]]\nsizes = { kind = 'normal', mean = 1, deviation = 0.1, low = 1.9, high = 2 }\n", "of the distribution"),
         ("[[species]]\nsizes = { kind = 'table', diameters = [1, 2], weights = [1] }\n", "has 1 numbers; must have 2"),
         ("[[species]]\nsizes = { kind = 'table', diameters = [1, 2], weights = [0, 0] }\n", "must have a finite sum > 0"),

@@ -142,7 +142,7 @@ def test_other_formats(tmp_path):
 @pytest.mark.parametrize(
     "words, complaints",
     [
-        ([], ["repose theory: which model?"]),
+        ([], ["repose theory: MODEL is missing"]),
         (["pyramid"], ["pyramid: no such model of theory; must be pile-lattice | pile-continuum"]),
         (["pile-continuum", "--set", "slope_deg"], ["--set slope_deg: must be key=value"]),
         (["pile-continuum", "--csv", "no/such/x.csv"], ["no/such/x.csv: no such folder"]),

@@ -223,7 +223,7 @@ def test_a_finished_run_keeps_it_and_an_analysis_drops_it(lab, out):
     (["--theory", "pile-continuum:slope_deg=1,slope_deg=2"], ["slope_deg = 2: is set twice"]),
     (["--theory", "x:a", "--theory", "pile-continuum:points=1,b=2"],
      ["--theory x:a: no such", "x:a: a: must be key=value", "points = 1: must be", "b: no such parameter"]),
-    ([*CONTINUUM, "--frame", "0"], ["--theory: is laid on the end of the run, not on a --frame"]),
+    ([*CONTINUUM, "--frame", "0"], ["--theory: is overlaid on the end of the run, not on a --frame"]),
 ])  # fmt: skip
 def test_bad_choices_are_refused_all_at_once(lab, out, options, parts):
     before = (out / "summary.json").read_bytes()

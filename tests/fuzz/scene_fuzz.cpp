@@ -43,13 +43,13 @@ void check_problems(const InputError& error, const std::string& name) {
 void check_scene(const std::string& text, const Overrides& overrides) {
   std::string written;
   try {
-    written = scene_text(read_scene_text(text, "fuzz", overrides));
+    written = scene_text(scene_from_text(text, "fuzz", overrides));
   } catch (const InputError& error) {
     check_problems(error, "fuzz");
     return;
   }
   try {
-    const auto again = scene_text(read_scene_text(written, "fuzz"));
+    const auto again = scene_text(scene_from_text(written, "fuzz"));
     if (again != written) complain("a scene changes when it is written and read", written + "\n-----\n" + again);
   } catch (const InputError& error) {
     complain(error.what(), written);

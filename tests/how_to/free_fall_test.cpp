@@ -26,7 +26,7 @@ plane = [{ point = [0.0, 0.0], normal = [0.0, 1.0] },
          { point = [5.0, 0.0], normal = [-1.0, 0.0] }]
 )";
 
-Scene scene_of(const std::string& more) { return read_scene_text(box + more, "scene.toml"); }
+Scene scene_of(const std::string& more) { return scene_from_text(box + more, "scene.toml"); }
 
 const Grain<2>& first_of(const Simulation& simulation) { return simulation.grains().line.at(0); }
 
@@ -61,7 +61,7 @@ TEST(FreeFall, CrossesTheBoxAndBack) {
 
 // A fall of 2 onto a plane of 45 degrees turns the velocity (0, -2) to (2, 0).
 TEST(FreeFall, APlaneTurnsTheVelocity) {
-  const auto scene = read_scene_text(
+  const auto scene = scene_from_text(
       "method = { kind = \"free-fall\" }\nbase = { kind = \"none\" }\nbox = { half_width = 100, floor = -100 }\n"
       "plane = [{ point = [0.0, 0.0], normal = [0.70710678118654752, 0.70710678118654752] }]\n"
       "grain = [{ position = [0.0, 2.7071067811865475] }]\nstop = { time = 3 }\n",

@@ -25,4 +25,5 @@ set_tests_properties(free_fall_program PROPERTIES LABELS how_to TIMEOUT 300
 add_executable(repose_free_fall_test free_fall_test.cpp $<TARGET_OBJECTS:repose_free_fall>)
 target_include_directories(repose_free_fall_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
 target_link_libraries(repose_free_fall_test PRIVATE repose_library GTest::gtest_main)
+compile_as_test(repose_free_fall_test)
 gtest_discover_tests(repose_free_fall_test PROPERTIES LABELS how_to DISCOVERY_TIMEOUT 60)

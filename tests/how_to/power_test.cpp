@@ -24,16 +24,16 @@ time = 1
 )";
 
 TEST(HowTo, SceneKnowsTheLaw) {
-  const auto scene = read_scene_text(scene_text_of_power, "scene.toml");
+  const auto scene = scene_from_text(scene_text_of_power, "scene.toml");
   const auto& law = std::get<Power>(scene.contact.normal);
   EXPECT_EQ(law.power, 2.5);
   EXPECT_EQ(law.stiffness, 1000.0);
-  const auto again = read_scene_text(scene_text(scene), "again.toml");
+  const auto again = scene_from_text(scene_text(scene), "again.toml");
   EXPECT_EQ(scene_text(again), scene_text(scene));
   try {
     Overrides overrides;
     overrides.set = {"contact.normal.power=0.5"};
-    read_scene_text(scene_text_of_power, "scene.toml", overrides);
+    scene_from_text(scene_text_of_power, "scene.toml", overrides);
     FAIL() << "no error";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("contact.normal.power = 0.5: must be >= 1"), std::string::npos);
@@ -53,7 +53,7 @@ TEST(HowTo, ContactTimeAndRestitution) {
     EXPECT_NEAR(impact.overlap / deepest, 1.0, 1e-4);
     EXPECT_NEAR(impact.duration / (2.0 * deepest / speed * integral), 1.0, 3e-3) << p;
   }
-  const auto scene = read_scene_text(scene_text_of_power, "scene.toml");
+  const auto scene = scene_from_text(scene_text_of_power, "scene.toml");
   const auto impact =
       head_on({scene.contact.normal}, {.mass = 0.7, .reduced_mass = 0.2, .diameter = 0.8, .speed = 0.3});
   EXPECT_NEAR(impact.restitution, 0.6, 1e-4);

@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/methods/soft/soft.hpp"
+#include "repose/core/team.hpp"
+#include "repose/methods/soft/kernels.hpp"
+
+#include <memory>
+#include <stdexcept>
+#include <vector>
 
 namespace repose::testing {
 
@@ -11,9 +16,9 @@ template <int D, class Law>
 class SoftWorld {
  public:
   SoftWorld(Law law, SoftSettings<D> settings, int threads = 1)
-      : method_(MaterialTable<Law>(law), settings), team_(threads) {}
+      : SoftWorld(MaterialTable<Law>(law), settings, threads) {}
   SoftWorld(MaterialTable<Law> laws, SoftSettings<D> settings, int threads = 1)
-      : method_(laws, settings), team_(threads) {}
+      : method_(make_kernel<D, Law>(laws, settings)), team_(threads) {}
 
   /// Adds a grain and returns its id. The mass is 4 r^2: 1 for radius 1/2.
   std::int64_t add(Vec<D> position, Vec<D> velocity = {}, Spin<D> spin = {}, double radius = 0.5, bool fixed = false,
@@ -28,20 +33,20 @@ class SoftWorld {
       grain.inverse_mass = 1.0 / grain.mass;
     }
     grains.add(grain, static_cast<std::int64_t>(grains.size()), fixed, material);
-    method_.grains_added(grains);
+    method_->grains_added(grains);
     return grains.id.back();
   }
 
   StepReport advance(long steps) {
-    const double duration = static_cast<double>(steps) * method_.time_steps().length;
-    return method_.advance(grains, method_.time() + duration, team_);
+    const double duration = static_cast<double>(steps) * method_->time_steps().length;
+    return method_->advance(grains, method_->time() + duration, team_);
   }
-  Contacts<D> contacts() const { return method_.contacts(grains); }
-  void refresh() { method_.refresh(grains, team_); }
-  const Soft<D, Law>& method() const { return method_; }
-  std::vector<Vec<D>> take_wall_impulses() { return method_.take_wall_impulses(); }
-  void set_loads(const std::vector<Load<D>>& loads) { method_.set_loads(loads); }
-  Energy energy() const { return method_.energy(grains); }
+  Contacts<D> contacts() const { return method_->contacts(grains); }
+  void refresh() { method_->refresh(grains, team_); }
+  const Method<D>& method() const { return *method_; }
+  std::vector<Vec<D>> take_wall_impulses() { return method_->take_wall_impulses(); }
+  void set_loads(const std::vector<Load<D>>& loads) { method_->set_loads(loads); }
+  Energy energy() const { return method_->energy(grains); }
 
   /// The grain with this id.
   Grain<D>& operator[](std::int64_t id) {
@@ -54,7 +59,7 @@ class SoftWorld {
   Grains<D> grains;
 
  private:
-  Soft<D, Law> method_;
+  std::unique_ptr<Method<D>> method_;
   Team team_;
 };
 

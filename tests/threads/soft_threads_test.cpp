@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/core/random.hpp"
+#include "repose/neighbours/pair_list.hpp"
 #include "support/soft_world.hpp"
 
 #include <gtest/gtest.h>
@@ -131,10 +132,10 @@ std::vector<double> wide_layer(int threads, double along) {
     grains.add(grain, k, grain.fixed());
   }
   static_assert(columns * rows > static_cast<int>(PairList<2>::far));
-  Soft<2, Law> method(MaterialTable<Law>(Law{Hooke{2e4, 0.3}, Cumulative{0.5, 1.214}}), settings);
+  const auto method = make_kernel<2>(MaterialTable(Law{Hooke{2e4, 0.3}, Cumulative{0.5, 1.214}}), settings);
   Team team(threads);
-  method.grains_added(grains);
-  method.advance(grains, 30 * settings.time_step, team);
+  method->grains_added(grains);
+  method->advance(grains, 30 * settings.time_step, team);
   std::vector<double> state;
   for (const auto k : by_id(grains)) {
     state.push_back(grains.line[k].velocity[0]);

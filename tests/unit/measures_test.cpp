@@ -19,7 +19,7 @@ Record record_of(const std::string& method) {
                         ? "[method]\nkind = \"deposition\"\ncritical_angle = 30\n[base]\nkind = "
                           "\"contiguous\"\ncount = 4\n[source]\ncount = 3\n"
                         : "[[grain]]\nposition = [0.0, 1.0]\n[stop]\ntime = 1\n[method]\nkind = \"" + method + "\"\n";
-  record.scene = read_scene_text(text, "scene.toml");
+  record.scene = scene_from_text(text, "scene.toml");
   return record;
 }
 

@@ -20,7 +20,7 @@ constexpr double past_linear = 1.05;                     // of the response to t
 const std::vector<double> amplitudes = {0.9, 1.0, 1.1};  // by seed: mean 1, standard deviation 0.1
 
 Scene bed(double place, double force) {
-  auto scene = read_scene_text(R"([contact]
+  auto scene = scene_from_text(R"([contact]
 friction = 0.0
 [base]
 kind = "row"

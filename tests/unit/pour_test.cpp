@@ -12,7 +12,7 @@ namespace repose {
 namespace {
 
 Scene pouring(const std::string& more) {
-  return read_scene_text("source = { kind = \"pour\", count = 400, rate = 2.0, " + more +
+  return scene_from_text("source = { kind = \"pour\", count = 400, rate = 2.0, " + more +
                              " }\nstop = { time = 1 }\ngrains = { polydispersity = 0.1 }\n",
                          "scene.toml");
 }

@@ -55,7 +55,7 @@ time = 4
 )";
 
 TEST(RecordedWalls, StandWhereTheyAreAtThatTime) {
-  const auto scene = read_scene_text(scene_with_walls, "scene.toml");
+  const auto scene = scene_from_text(scene_with_walls, "scene.toml");
   std::vector<WallState> states(3);
   states[1].displacement = 0.75;
   const auto before = recorded_walls(scene, states, 1.5);
@@ -69,7 +69,7 @@ TEST(RecordedWalls, StandWhereTheyAreAtThatTime) {
 }
 
 TEST(RecordedWalls, MessagesNameThem) {
-  const auto scene = read_scene_text(scene_with_walls, "scene.toml");
+  const auto scene = scene_from_text(scene_with_walls, "scene.toml");
   EXPECT_EQ(partner_name(scene, 12), "grain 12");
   EXPECT_EQ(partner_name(scene, -1), "wall base");
   EXPECT_EQ(partner_name(scene, -3), "wall gate");

@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/core/errors.hpp"
+#include "repose/scene/bases/row.hpp"
+#include "repose/scene/methods/soft.hpp"
 #include "repose/scene/read.hpp"
+#include "repose/scene/sources/drop.hpp"
 #include "repose/scene/write.hpp"
 
 #include <gtest/gtest.h>
@@ -38,7 +41,7 @@ time = 50
 
 std::vector<std::string> problems_of(const std::string& text, const Overrides& overrides = {}) {
   try {
-    read_scene_text(text, "scene.toml", overrides);
+    scene_from_text(text, "scene.toml", overrides);
   } catch (const InputError& error) {
     return error.problems();
   }
@@ -51,16 +54,16 @@ bool any_contains(const std::vector<std::string>& lines, const std::string& part
 }
 
 TEST(SceneRead, ValuesAndDefaults) {
-  const auto scene = read_scene_text(heap_text, "scene.toml");
+  const auto scene = scene_from_text(heap_text, "scene.toml");
   EXPECT_EQ(scene.title, "a \"heap\"");
-  EXPECT_FALSE(scene.method.time_step);
+  EXPECT_FALSE(scene.method.as<SoftMethod>()->step);
   EXPECT_EQ(std::get<Cumulative>(scene.contact.tangential).friction, 0.4);
   EXPECT_EQ(std::get<Continuous>(scene.contact.normal).whole_exponent, 37U);
-  EXPECT_EQ(scene.base.spacing, 1.1);
+  EXPECT_EQ(scene.base.as<RowBase>()->spacing, 1.1);
   ASSERT_EQ(scene.planes.size(), 1U);
   ASSERT_EQ(scene.placed.size(), 1U);
   EXPECT_EQ(scene.placed[0].diameter, 0.9);
-  EXPECT_EQ(scene.source.height, 100.0);
+  EXPECT_EQ(scene.source.as<PourSource>()->height, 100.0);
   EXPECT_FALSE(scene.stop.at_rest);
   // "auto" takes half a radian of the stiffest contact, here that of the small placed grain.
   EXPECT_NEAR(scene.time_step() * scene.contact_frequency(), 0.5, 1e-12);
@@ -94,9 +97,9 @@ stop = { at_rest = 1e-5 }
 sizes = { kind = "table", diameters = [0.5, 1.0], weights = [2, 1] }
 )";
   for (const auto& text : {heap_text, hooke, species, block}) {
-    const auto scene = read_scene_text(text, "scene.toml");
+    const auto scene = scene_from_text(text, "scene.toml");
     const auto complete = scene_text(scene);
-    const auto again = scene_text(read_scene_text(complete, "complete.toml"));
+    const auto again = scene_text(scene_from_text(complete, "complete.toml"));
     EXPECT_EQ(complete, again);
     EXPECT_NE(complete.find("skin = "), std::string::npos);
   }
@@ -137,7 +140,7 @@ TEST(SceneRead, Overrides) {
   EXPECT_TRUE(any_contains(lines, "--set contact.normal.exponent = 12: contact.normal.exponent: unknown key"));
   EXPECT_TRUE(any_contains(lines, "scene.toml:6: contact.normal.cutoff: unknown key"));
   overrides.set.resize(2);
-  const auto scene = read_scene_text(heap_text, "scene.toml", overrides);
+  const auto scene = scene_from_text(heap_text, "scene.toml", overrides);
   EXPECT_EQ(scene.contact.friction, 0.1);
   EXPECT_EQ(scene.title, "plain words");
   EXPECT_EQ(scene.seed, 9);
@@ -180,15 +183,15 @@ TEST(SceneRead, QuotedNamesThatLookLikePathsAreUnknown) {
 
 // A quotation mark before the closing three belongs to the text. The rest is parsed normally.
 TEST(SceneRead, LongTextWithQuotationMarksAtItsEnd) {
-  EXPECT_EQ(read_scene_text("title = \"\"\"a\"\"\"\"\"  # \"\n" + one_grain, "scene.toml").title, "a\"\"");
-  EXPECT_EQ(read_scene_text("title = '''été''''\n" + one_grain, "scene.toml").title, "été'");
+  EXPECT_EQ(scene_from_text("title = \"\"\"a\"\"\"\"\"  # \"\n" + one_grain, "scene.toml").title, "a\"\"");
+  EXPECT_EQ(scene_from_text("title = '''été''''\n" + one_grain, "scene.toml").title, "été'");
   EXPECT_TRUE(any_contains(problems_of("title = '''a''''\nété = 1\n" + one_grain), "scene.toml:2: letters beyond"));
   EXPECT_TRUE(any_contains(problems_of("title = \"\"\"\\\n\"\"\"\nété = 1\n"), "scene.toml:3: letters beyond"));
 }
 
 // toml++ has undefined behaviour for most letters at places where it expects white space, which only sanitizers show.
 TEST(SceneRead, LettersWhereTomlLooksForWhiteSpace) {
-  EXPECT_EQ(read_scene_text("title = \"\"\"\\\n  été\"\"\"\n" + one_grain, "scene.toml").title, "été");
+  EXPECT_EQ(scene_from_text("title = \"\"\"\\\n  été\"\"\"\n" + one_grain, "scene.toml").title, "été");
   EXPECT_EQ(problems_of("title = \"\"\"\\é\"\"\"\n" + one_grain).size(), 1U);
   EXPECT_EQ(problems_of("seed = 1e\"é\"\n" + one_grain).size(), 1U);
 }
@@ -224,7 +227,7 @@ TEST(SceneRead, ManyPlacedGrains) {
   std::string text = "[stop]\ntime = 1\n";
   for (int k = 0; k < 20000; ++k) text += "[[grain]]\nposition = [0.0, " + std::to_string(k) + ".5]\n";
   const auto begin = std::clock();
-  EXPECT_EQ(read_scene_text(text, "scene.toml").placed.size(), 20000U);
+  EXPECT_EQ(scene_from_text(text, "scene.toml").placed.size(), 20000U);
   EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 5.0);
 }
 
@@ -232,12 +235,12 @@ TEST(SceneRead, ManyPlacedGrains) {
 TEST(SceneRead, WholeNumbersBeyondTheDoubles) {
   Overrides overrides;
   overrides.set = {"gravity=9223372036854775807", "method.skin=9007199254740993"};
-  const auto scene = read_scene_text(one_grain, "scene.toml", overrides);
+  const auto scene = scene_from_text(one_grain, "scene.toml", overrides);
   EXPECT_EQ(scene.gravity, 0x1p63);
-  EXPECT_EQ(scene.method.skin, 0x1p53);
+  EXPECT_EQ(scene.method.as<SoftMethod>()->skin, 0x1p53);
   overrides.set = {"stop.time=9223372036854775807"};
-  EXPECT_EQ(read_scene_text(one_grain, "scene.toml", overrides).stop.time, 0x1p63);
-  const auto far = read_scene_text("[[grain]]\nposition = [0, 9223372036854775807]\n[stop]\ntime = 1\n", "scene.toml");
+  EXPECT_EQ(scene_from_text(one_grain, "scene.toml", overrides).stop.time, 0x1p63);
+  const auto far = scene_from_text("[[grain]]\nposition = [0, 9223372036854775807]\n[stop]\ntime = 1\n", "scene.toml");
   EXPECT_EQ(far.placed[0].position[1], 0x1p63);
 }
 
@@ -260,9 +263,9 @@ TEST(SceneRead, DefaultsThatOverflow) {
     overrides.set.push_back(part.substr(0, part.find(':')) + "=1");
     EXPECT_LT(problems_of(one_grain, overrides).size(), lines.size()) << part;
   };
-  overflow({"grains.diameter=1e306"}, "box.half_width: missing, and its default, inf, will not do: must be a finite");
-  overflow({"grains.diameter=5e-324"}, "method.skin: missing, and its default, 0, will not do: must be > 0 [L]");
-  overflow({"grains.diameter=1e100", "gravity=1e-308"}, "output.series: missing, and its default, inf, will not do");
+  overflow({"grains.diameter=1e306"}, "box.half_width: missing, and its default is inf: must be a finite");
+  overflow({"grains.diameter=5e-324"}, "method.skin: missing, and its default is 0: must be > 0 [L]");
+  overflow({"grains.diameter=1e100", "gravity=1e-308"}, "output.series: missing, and its default is inf");
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ source = { count = 333 }
 output = { series = 50 }
 )"}};
 
-Simulation make(const Case& one, int threads) { return Simulation(read_scene_text(one.scene, "scene.toml"), threads); }
+Simulation make(const Case& one, int threads) { return Simulation(scene_from_text(one.scene, "scene.toml"), threads); }
 
 std::string bytes_of(const std::vector<SeriesRow>& rows) {
   static_assert(sizeof(SeriesRow) == 8 * 23, "no padding, whose bytes are arbitrary");

@@ -35,7 +35,7 @@ double least_gap(const Grains<2>& grains, const Box<2>& box) {
 }
 
 Scene raining(const std::string& more) {
-  return read_scene_text(stop + hooke +
+  return scene_from_text(stop + hooke +
                              "grains = { polydispersity = 0.5 }\nbox = { x = \"periodic\", half_width = 20 }\n"
                              "source = { kind = \"rain\", count = 600, rate = 100, height = 9, " +
                              more + " }\n",
@@ -146,7 +146,7 @@ TEST(GrainDraw, FractionsByNumberAndByMass) {
   const double mean_mass = 3.0 * (0.25 + 0.35 + 0.49) / 3.0;
   for (const bool by_mass : {false, true}) {
     const auto scene =
-        read_scene_text(stop + hooke + (by_mass ? "grains = { shares = \"mass\" }\n" : "") +
+        scene_from_text(stop + hooke + (by_mass ? "grains = { shares = \"mass\" }\n" : "") +
                             "source = { kind = \"pour\", count = 5, rate = 1, height = 5 }\n" + two_species,
                         "scene.toml");
     EXPECT_EQ(scene.smallest_diameter(), 0.5);
@@ -174,7 +174,7 @@ TEST(GrainDraw, FractionsByNumberAndByMass) {
 TEST(DepositedBase, LetsNothingThrough) {
   for (const bool periodic : {false, true}) {
     const auto scene =
-        read_scene_text(stop + hooke + "base = { kind = \"deposited\", roughness = 0.25, half_width = 20 }\n" +
+        scene_from_text(stop + hooke + "base = { kind = \"deposited\", roughness = 0.25, half_width = 20 }\n" +
                             (periodic ? "box = { x = \"periodic\" }\n" : "") +
                             "source = { kind = \"pour\", count = 1, rate = 1, height = 9 }\n" + two_species,
                         "scene.toml");
@@ -207,7 +207,7 @@ TEST(DepositedBase, LetsNothingThrough) {
 }
 
 Grains<2> block(const std::string& more, const std::string& base) {
-  const auto scene = read_scene_text(stop + hooke + base + "box.half_width = 10\n" +
+  const auto scene = scene_from_text(stop + hooke + base + "box.half_width = 10\n" +
                                          "source = { kind = \"lattice\", rows = 4, columns = 6, " + more + " }\n",
                                      "scene.toml");
   auto grains = initial_grains(scene);

@@ -35,7 +35,7 @@ Heap pour(double spacing, std::int64_t seed) {
       "source = {{ kind = \"pour\", count = 600, rate = 0.62, height = 100.0, half_width = 3.0 }}\n"
       "output = {{ window = 20.0 }}\nstop = {{ time = 1030.0 }}\n",
       seed, spacing);
-  Simulation simulation(read_scene_text(text, "heap"), 1);
+  Simulation simulation(scene_from_text(text, "heap"), 1);
   simulation.run();
   const auto results = analyse(simulation.record());
   return {.angle = 0.5 * (results.heap.left.value().angle_deg + results.heap.right.value().angle_deg),

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/methods/soft/pair_force.hpp"
 #include "support/soft_world.hpp"
 
 #include <gtest/gtest.h>
@@ -69,7 +70,7 @@ double impact_energy_error(const Law& law, double speed, double time_step, doubl
 // fall from 100) and the default step the bound is 5e-6. The error depends on the phase of the steps, so several speeds
 // are tried.
 TEST(SoftImpact, ContinuousLawKeepsEnergy) {
-  const PairLaw law{continuous(36, 1.2, 0.0), None{}};
+  const auto law = any_pair_law({continuous(36, 1.2, 0.0), None{}, {}, {}});
   for (const double speed : {13.9, 14.0, 14.1, 14.0 * std::sqrt(1.01)}) {
     EXPECT_LT(std::fabs(impact_energy_error(law, speed, 0.001)), 5e-6) << "speed " << speed;
   }
@@ -77,7 +78,7 @@ TEST(SoftImpact, ContinuousLawKeepsEnergy) {
 
 // The step 0.001 does not resolve n = 144 (w dt = 1.5, which the program refuses); half the step does.
 TEST(SoftImpact, StiffLawNeedsTheSmallerStep) {
-  const PairLaw law{continuous(144, 1.047, 0.0), None{}};
+  const auto law = any_pair_law({continuous(144, 1.047, 0.0), None{}, {}, {}});
   EXPECT_GT(std::fabs(impact_energy_error(law, 14.0, 0.001)), 1e-2);
   EXPECT_LT(std::fabs(impact_energy_error(law, 14.0, 0.0005)), 5e-4);
 }
@@ -92,7 +93,7 @@ TEST(SoftImpact, HookeIsSecondOrder) {
     constexpr int starts = 20;
     constexpr int stiffnesses = 40;
     for (int s = 0; s < stiffnesses; ++s) {
-      const PairLaw law{Hooke{2e4 * (1.0 + 0.2 * s / stiffnesses), 0.0}, None{}};
+      const auto law = any_pair_law({Hooke{2e4 * (1.0 + 0.2 * s / stiffnesses), 0.0}, None{}, {}, {}});
       for (int k = 0; k < starts; ++k) {
         const double start = 1.3 + 14.0 * time_step * k / starts;
         sum += std::pow(impact_energy_error(law, 14.0, time_step, start), 2);
@@ -290,7 +291,7 @@ TEST(SoftSynchronised, DampedImpactConvergesFaster) {
   const auto rebound = [](bool synchronised, double time_step) {
     auto settings = settings_2d(time_step, 0.0);
     settings.synchronised = synchronised;
-    SoftWorld<2, PairLaw<Continuous, None>> world({continuous(36, 1.2, 0.2), {}}, settings);
+    SoftWorld<2, AnyPairLaw> world(any_pair_law({continuous(36, 1.2, 0.2), None{}, {}, {}}), settings);
     world.add({{0.0, 0.0}}, {}, 0.0, 0.5, true);
     const auto disc = world.add({{0.0, 1.25}}, {{0.0, -3.0}});
     world.advance(std::lround(0.4 / time_step));

@@ -106,11 +106,11 @@ def _draw_forces(column, comparison):
     """Normal force above shear force, with the legend above both."""
     for axes, name in zip(column, ("normal", "shear")):
         axes.axhline(0.0, color=style.FAINT, linewidth=0.6, zorder=0)
-        look = dict(color=style.GREY, markersize=2.2, alpha=0.35, markeredgewidth=0, zorder=1)
-        axes.plot(comparison.discs["x"], comparison.discs[name], "o", label=DATA[0], **look)
+        drawing = dict(color=style.GREY, markersize=2.2, alpha=0.35, markeredgewidth=0, zorder=1)
+        axes.plot(comparison.discs["x"], comparison.discs[name], "o", label=DATA[0], **drawing)
         error = np.nan_to_num(comparison.bins[f"{name}_error"])
-        look = dict(fmt="s", color=style.INK, markersize=3.2, elinewidth=1.0, capsize=2, zorder=4)
-        axes.errorbar(comparison.bins["x"], comparison.bins[name], error, label=DATA[1], **look)
+        drawing = dict(fmt="s", color=style.INK, markersize=3.2, elinewidth=1.0, capsize=2, zorder=4)
+        axes.errorbar(comparison.bins["x"], comparison.bins[name], error, label=DATA[1], **drawing)
         for k, entry in enumerate(comparison.entries):
             axes.plot(*curve(entry, name), color=_colour(k), linewidth=1.4, label=_label_with_numbers(entry), zorder=3)
     handles, labels = column[0].get_legend_handles_labels()

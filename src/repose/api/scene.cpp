@@ -41,7 +41,7 @@ Scene::Scene(std::string text, std::string name, Settings settings)
     overrides.set.push_back(fmt::format("{}={}", key, std::visit(TomlText{}, value)));
     overrides.origins.emplace_back("setting");
   }
-  scene_ = std::make_shared<const repose::Scene>(read_scene_text(text_, name_, overrides));
+  scene_ = std::make_shared<const repose::Scene>(scene_from_text(text_, name_, overrides));
 }
 
 Scene Scene::from_file(const std::string& path, const Settings& settings) {

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repose/cli/commands.hpp"
+#include "repose/cli/common_arguments.hpp"
 #include "repose/cli/describe.hpp"
+#include "repose/cli/verbs.hpp"
 #include "repose/core/errors.hpp"
 #include "repose/io/folders.hpp"
 #include "repose/record/record_file.hpp"
@@ -9,7 +10,6 @@
 #include "repose/scene/toml_file.hpp"
 #include "repose/sweep/folder.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -35,7 +35,7 @@ int act(const AnalyseOptions& options) {
   const FolderLock lock(options.folder);
   const auto record = read_record(options.folder);
   if (read_run_scene(options.folder) != text_of_file(options.folder + "/scene.toml")) {
-    fmt::print(stderr, "{}/scene.toml: was changed since the run; its [analysis] is taken as it is now\n",
+    fmt::print(stderr, "{}/scene.toml: has changed since the run; the analysis uses its [analysis] as it stands now\n",
                options.folder);
   }
   const auto results = analyse(record);
@@ -46,14 +46,16 @@ int act(const AnalyseOptions& options) {
 
 }  // namespace
 
-Command add_analyse(CLI::App& app) {
+Verb analyse_verb() {
   auto options = std::make_shared<AnalyseOptions>();
-  auto* command = app.add_subcommand(
-      "analyse",
-      "Work out anew what the analysis says of a run, or of a sweep and all its members; the run stays as it is");
-  command->add_option("DIR", options->folder, "Run folder or sweep folder")->required();
-  command->add_flag("--quiet", options->quiet, "Print nothing but errors");
-  return {command, [options] { return act(*options); }};
+  return {.name = "analyse",
+          .about = "Repeat the analysis of a run, or of a sweep and all its members",
+          .details =
+              "Writes analysis.h5 and summary.json, or the tables of the sweep; the run itself stays as it is. "
+              "The settings are those of [analysis] in DIR/scene.toml, which may be edited.",
+          .arguments = {folder_argument(options->folder, "Run folder or sweep folder"), quiet_argument(options->quiet)},
+          .examples = {{"repose analyse heap", "Analyse the run in the folder heap again"}},
+          .act = [options] { return act(*options); }};
 }
 
 }  // namespace repose

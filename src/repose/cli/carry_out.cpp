@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/cli/carry_out.hpp"
 
-#include "repose/cli/commands.hpp"
 #include "repose/cli/describe.hpp"
 #include "repose/cli/progress.hpp"
 #include "repose/cli/signals.hpp"
+#include "repose/cli/verbs.hpp"
 #include "repose/core/errors.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,17 +15,11 @@
 
 namespace repose {
 
-void add_threads(CLI::App& command, int& threads) {
-  command.add_option("--threads", threads, "Threads; the results do not depend on it (default: as useful)")
-      ->check(CLI::Range(1, 1024));
-}
-
 int threads_for(const Scene& scene, int wanted) {
   if (wanted > 0) return wanted;
   constexpr std::int64_t grains_per_thread = 2000;
-  const auto& source = scene.source;
-  const auto lattice = source.rows * (source.columns > 0 ? source.columns : (source.rows + 1) / 2);
-  const auto grains = source.count + lattice + scene.start.moving + static_cast<std::int64_t>(scene.placed.size());
+  const auto of_source = scene.source->released() + scene.source->placed();
+  const auto grains = of_source + scene.start.moving + static_cast<std::int64_t>(scene.placed.size());
   const auto useful = std::max<std::int64_t>(1, grains / grains_per_thread);
   return static_cast<int>(std::min<std::int64_t>(useful, std::max(1U, std::thread::hardware_concurrency())));
 }
@@ -44,7 +37,7 @@ int carry_out(Simulation& simulation, RunFolder& folder, bool quiet) {
   const bool stopped = simulation.status() == Status::interrupted;
   if (!quiet) {
     fmt::print("{}", result);
-    if (stopped) fmt::print("to go on         repose resume {}\n", folder.path());
+    if (stopped) fmt::print("to continue      repose resume {}\n", folder.path());
   }
   return stopped ? exit_interrupted : 0;
 }

@@ -10,13 +10,13 @@
 
 namespace repose {
 
-/// What a scene would run, for a reader: grains, laws, time step and why, expected end.
+/// Describes the run of a scene: grains, laws, time step with its reason, expected end.
 std::string describe(const Scene& scene);
 
-/// Each pair of materials in a contact: restitution, contact time, overlaps at rest, steps per contact.
+/// Describes the contacts of each pair of materials: restitution, contact time, overlaps at rest, steps per contact.
 std::string describe_contacts(const Scene& scene);
 
-/// What came out, in a few lines.
+/// Describes the result of a run in a few lines.
 std::string describe_result(const Record& record, const Results& results);
 
 }  // namespace repose

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/run_folder/export.hpp"
 
-#include "repose/cli/commands.hpp"
+#include "repose/cli/common_arguments.hpp"
+#include "repose/cli/verbs.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>
@@ -34,22 +34,36 @@ int act(const ExportOptions& options) {
 
 }  // namespace
 
-Command add_export(CLI::App& app) {
+Verb export_verb() {
   auto options = std::make_shared<ExportOptions>();
-  auto* command = app.add_subcommand("export", "Write a run for ParaView, OVITO, as tables or as a contact problem");
-  command->add_option("DIR", options->order.folder, "Run folder")->required();
-  command
-      ->add_option("--to", options->order.to,
-                   "vtk (ParaView), ovito (LAMMPS dumps), csv (every table) or contact-problem (the next step of "
-                   "contact dynamics)")
-      ->required()
-      ->check(CLI::IsMember({"vtk", "ovito", "csv", "contact-problem"}));
-  command->add_option("--out", options->order.out, "Folder to write (default: DIR/export/FORMAT)");
-  command->add_option("--frames", options->frames, "all saved frames and the last state, or the last state alone")
-      ->check(CLI::IsMember({"all", "last"}));
-  command->add_flag("--overwrite", options->order.overwrite, "Write into a folder that is not empty");
-  command->add_flag("--quiet", options->quiet, "Print nothing but errors");
-  return {command, [options] { return act(*options); }};
+  return {.name = "export",
+          .about = "Write a run for ParaView or OVITO, as CSV tables or as a contact problem",
+          .details =
+              "vtk is for ParaView; ovito writes LAMMPS dumps; csv writes every table; contact-problem writes "
+              "the next step of a run of contact dynamics, for `repose solve` and other solvers.",
+          .arguments = {folder_argument(options->order.folder, "Run folder"),
+                        {.name = "--to",
+                         .value = "FORMAT",
+                         .about = "Format",
+                         .target = &options->order.to,
+                         .required = true,
+                         .choices = {"vtk", "ovito", "csv", "contact-problem"}},
+                        {.name = "--out",
+                         .value = "DIR",
+                         .about = "Folder to write (default: export/FORMAT in the run folder)",
+                         .target = &options->order.out,
+                         .completes = Completion::folders},
+                        {.name = "--frames",
+                         .value = "WHICH",
+                         .about = "All saved frames and the last state, or the last state alone",
+                         .target = &options->frames,
+                         .shows_default = true,
+                         .choices = {"all", "last"}},
+                        overwrite_argument(options->order.overwrite, "Write into a folder that is not empty"),
+                        quiet_argument(options->quiet)},
+          .examples = {{"repose export heap --to vtk", "Write heap/export/vtk for ParaView"},
+                       {"repose export heap --to csv --out tables", "Write every table of the run into tables"}},
+          .act = [options] { return act(*options); }};
 }
 
 }  // namespace repose

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repose/cli/commands.hpp"
+#include "repose/cli/common_arguments.hpp"
 #include "repose/cli/python.hpp"
+#include "repose/cli/verbs.hpp"
 #include "repose/comparison/base_overlay.hpp"
 #include "repose/core/errors.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +18,15 @@
 namespace repose {
 
 namespace {
+
+struct PlotOptions {
+  std::string folder;
+  std::optional<std::string> only;
+  std::optional<std::string> format;
+  std::optional<std::string> dpi;
+  std::optional<std::string> frame;
+  std::vector<std::string> theory;
+};
 
 std::string per_degree(const Agreement& agreement) {
   if (agreement.degrees == 0) return "not defined";
@@ -39,43 +48,60 @@ void print(const std::vector<BaseOverlay>& all) {
   std::fflush(stdout);
 }
 
+int act(const PlotOptions& options) {
+  if (!options.theory.empty()) {
+    if (options.frame) throw InputError("--theory: is overlaid on the end of the run, not on a --frame");
+    print(overlay_theory(options.folder, options.theory));
+  }
+  std::vector<std::string> words = {options.folder};
+  for (const auto& [name, value] : {std::pair{"--only", &options.only},
+                                    {"--format", &options.format},
+                                    {"--dpi", &options.dpi},
+                                    {"--frame", &options.frame}}) {
+    if (*value) words.insert(words.end(), {name, **value});
+  }
+  hand_over_to_python("repose.plot", words);
+}
+
 }  // namespace
 
-Command add_plot(CLI::App& app) {
-  auto arguments = std::make_shared<std::vector<std::string>>();
-  auto folder = std::make_shared<std::string>();
-  auto theory = std::make_shared<std::vector<std::string>>();
-  auto* command = app.add_subcommand("plot", "Draw the standard pictures of a run folder or a sweep");
-  command->add_option("DIR", *folder, "Run folder or sweep folder")->required();
-  const auto pass_on = [&](const std::string& option, const std::string& about) {
-    command->add_option_function<std::string>(
-        option,
-        [arguments, option](const std::string& value) {
-          arguments->push_back(option);
-          arguments->push_back(value);
-        },
-        about);
-  };
-  pass_on("--only", "Pictures to draw; a wrong name lists them");
-  pass_on("--format", "png,svg");
-  pass_on("--dpi", "Resolution of PNG");
-  pass_on("--frame", "A saved frame instead of the last state");
-  command
-      ->add_option("--theory", *theory,
-                   "A model of base forces to be laid on the heap, MODEL or MODEL:key=value,key=value; may be repeated")
-      ->take_all()
-      ->expected(1)
-      ->allow_extra_args(false);
-  return {command, [arguments, folder, theory]() -> int {
-            if (!theory->empty()) {
-              if (std::ranges::find(*arguments, "--frame") != arguments->end()) {
-                throw InputError("--theory: is laid on the end of the run, not on a --frame");
-              }
-              print(overlay_theory(*folder, *theory));
-            }
-            arguments->insert(arguments->begin(), *folder);
-            hand_over_to_python("repose.plot", *arguments);
-          }};
+Verb plot_verb() {
+  auto options = std::make_shared<PlotOptions>();
+  return {.name = "plot",
+          .about = "Draw the standard pictures of a run or a sweep",
+          .details =
+              "The pictures are written into DIR/pictures. --theory also prints how far each model is from the "
+              "measured base forces: chi-square and residuals.",
+          .arguments = {folder_argument(options->folder, "Run folder or sweep folder"),
+                        {.name = "--only",
+                         .value = "NAMES",
+                         .about = "Pictures to draw, separated by commas; an unknown name lists them",
+                         .target = &options->only},
+                        {.name = "--format",
+                         .value = "KINDS",
+                         .about = "png, svg or both, separated by a comma (default: png,svg)",
+                         .target = &options->format,
+                         .suggestions =
+                             [] {
+                               return std::vector<std::string>{"png", "svg", "png,svg"};
+                             }},
+                        {.name = "--dpi",
+                         .value = "N",
+                         .about = "Resolution of PNG, 10 to 2400 (default: 200)",
+                         .target = &options->dpi},
+                        {.name = "--frame",
+                         .value = "NNNNNN",
+                         .about = "Saved frame to draw instead of the last state",
+                         .target = &options->frame},
+                        {.name = "--theory",
+                         .value = "MODEL[:KEY=VALUE,...]",
+                         .about = "Model of base forces to overlay on the measured ones",
+                         .target = &options->theory}},
+          .examples = {{"repose plot heap", "Draw the run in the folder heap"},
+                       {"repose plot heap --only heap,chains --format png --dpi 300", "Draw two pictures for print"},
+                       {"repose plot heap --theory pile-continuum --theory osl:model=fpa",
+                        "Compare the base forces with two models"}},
+          .act = [options] { return act(*options); }};
 }
 
 }  // namespace repose

@@ -33,13 +33,13 @@ void Progress::update(const Simulation& simulation) {
   last_ = now;
   const double seconds = simulation.wall_seconds();
   const double speed = simulation.grain_steps() / std::max(seconds, 1e-9);
-  const double share = std::clamp(simulation.grain_steps() / std::max(all_work_, 1.0), 0.0, 1.0);
+  const double done = std::clamp(simulation.grain_steps() / std::max(all_work_, 1.0), 0.0, 1.0);
   const double left = speed > 0.0 ? std::max(0.0, all_work_ - simulation.grain_steps()) / speed : 0.0;
-  const auto line = fmt::format("{:3.0f} %  time {:.5g}  {} grains  {:.1f} M grain-steps/s  {} left", 100.0 * share,
+  const auto line = fmt::format("{:3.0f} %  time {:.5g}  {} grains  {:.1f} M grain-steps/s  {} left", 100.0 * done,
                                 simulation.time(), moving_count(simulation.grains()), speed * 1e-6, clock_text(left));
   if (terminal_) {
     constexpr std::size_t width = 24;
-    const auto full = static_cast<std::size_t>(share * width);
+    const auto full = static_cast<std::size_t>(done * width);
     fmt::print("\r[{}{}] {}\033[K", std::string(full, '#'), std::string(width - full, '.'), line);
     drawn_ = true;
   } else {

@@ -12,12 +12,12 @@ namespace repose {
 /// A duration [s] as 1:02:03 or 2:03.
 std::string clock_text(double seconds);
 
-/// Shows how far a run has come: a bar on a terminal, plain lines otherwise.
+/// Shows the progress of a run: a bar on a terminal, plain lines otherwise.
 class Progress {
  public:
   Progress(const Scene& scene, bool show);
   void update(const Simulation& simulation);
-  /// Clears the bar away.
+  /// Clears the bar.
   void finish();
 
  private:

@@ -7,7 +7,8 @@
 
 namespace repose {
 
-/// Becomes `python3 -m MODULE ARGUMENTS` of the Python package, which draws; only returns by throwing RunError.
+/// Replaces the program by `python3 -m MODULE ARGUMENTS` of the Python package. Throws RunError if Python does not
+/// start.
 [[noreturn]] void hand_over_to_python(const std::string& module, const std::vector<std::string>& arguments);
 
 }  // namespace repose

@@ -3,11 +3,11 @@
 #include "repose/run_folder/resume.hpp"
 
 #include "repose/cli/carry_out.hpp"
-#include "repose/cli/commands.hpp"
+#include "repose/cli/common_arguments.hpp"
+#include "repose/cli/verbs.hpp"
 #include "repose/core/errors.hpp"
 #include "repose/sweep/folder.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -28,16 +28,16 @@ struct ResumeOptions {
 int act(const ResumeOptions& options) {
   if (SweepFolder::is_one(options.folder)) {
     throw InputError(
-        fmt::format("{0}: is a sweep, not a run: repose sweep {0}/sweep.toml goes on with it", options.folder));
+        fmt::format("{0}: is a sweep, not a run: `repose sweep {0}/sweep.toml` continues it", options.folder));
   }
   auto found = find_interrupted(options.folder);
   for (const auto& problem : found.damaged) {
-    fmt::print(stderr, "repose: {}{}\n", problem, found.checkpoint ? "; going on from the other checkpoint" : "");
+    fmt::print(stderr, "repose: {}{}\n", problem, found.checkpoint ? "; resuming from the other checkpoint" : "");
   }
   if (found.finished) {
     if (!options.quiet) {
       fmt::print("{}: the run is finished{}\n", options.folder,
-                 found.completed ? "; its analysis was cut off and has been made now" : "");
+                 found.completed ? "; its analysis was missing and has been made" : "");
     }
     return 0;
   }
@@ -48,7 +48,7 @@ int act(const ResumeOptions& options) {
   auto folder = resumed_folder(options.folder, found, simulation);
   if (!options.quiet) {
     fmt::print("resumed          at time {:.6g}, step {}{}\n", simulation.time(), simulation.steps(),
-               found.checkpoint ? "" : ": there was no checkpoint yet");
+               found.checkpoint ? "" : ": no checkpoint existed yet");
     fmt::print("threads          {}\noutput           {}\n", simulation.threads(), options.folder);
   }
   return carry_out(simulation, *folder, options.quiet);
@@ -56,14 +56,16 @@ int act(const ResumeOptions& options) {
 
 }  // namespace
 
-Command add_resume(CLI::App& app) {
+Verb resume_verb() {
   auto options = std::make_shared<ResumeOptions>();
-  auto* command =
-      app.add_subcommand("resume", "Go on with a run that was interrupted or cut off, as if it had never stopped");
-  command->add_option("DIR", options->folder, "Run folder")->required();
-  add_threads(*command, options->threads);
-  command->add_flag("--quiet", options->quiet, "Print nothing but errors");
-  return {command, [options] { return act(*options); }};
+  return {.name = "resume",
+          .about = "Continue an interrupted run, to the same bits as if it had never stopped",
+          .details = "The run may have been stopped by Ctrl-C or killed at any moment. A finished run stays as it is.",
+          .arguments = {folder_argument(options->folder, "Run folder"),
+                        threads_argument(options->threads, "Threads (default: as many as have enough to do)"),
+                        quiet_argument(options->quiet)},
+          .examples = {{"repose resume heap", "Continue the run in the folder heap"}},
+          .act = [options] { return act(*options); }};
 }
 
 }  // namespace repose

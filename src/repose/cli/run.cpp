@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/cli/carry_out.hpp"
-#include "repose/cli/commands.hpp"
+#include "repose/cli/common_arguments.hpp"
 #include "repose/cli/describe.hpp"
-#include "repose/cli/scene_options.hpp"
+#include "repose/cli/verbs.hpp"
 #include "repose/core/errors.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -46,15 +45,28 @@ int act(const RunOptions& options) {
 
 }  // namespace
 
-Command add_run(CLI::App& app) {
+Verb run_verb() {
   auto options = std::make_shared<RunOptions>();
-  auto* command = app.add_subcommand("run", "Run a scene and write its run folder");
-  options->scene.add_to(*command);
-  command->add_option("--out", options->out, "Folder to write (default: the name of the scene, here)");
-  add_threads(*command, options->threads);
-  command->add_flag("--overwrite", options->overwrite, "Replace a run that is in the folder already");
-  command->add_flag("--quiet", options->quiet, "Print nothing but errors");
-  return {command, [options] { return act(*options); }};
+  return {.name = "run",
+          .about = "Run a scene and write its run folder",
+          .details =
+              "Ctrl-C stops the run in good order; `repose resume` continues it to the same bits. The results do "
+              "not depend on the number of threads.",
+          .arguments = {scene_argument(options->scene),
+                        set_argument(options->scene),
+                        seed_argument(options->scene),
+                        {.name = "--out",
+                         .value = "DIR",
+                         .about = "Folder to write (default: the name of the scene, here)",
+                         .target = &options->out,
+                         .completes = Completion::folders},
+                        threads_argument(options->threads, "Threads (default: as many as have enough to do)"),
+                        overwrite_argument(options->overwrite, "Replace a run that the folder already holds"),
+                        quiet_argument(options->quiet)},
+          .examples = {{"repose run examples/heap.toml --out heap", "Pour a heap and write the folder heap"},
+                       {"repose run examples/heap.toml --out rough --seed 2 --set contact.friction=0.8",
+                        "The same with another seed and more friction"}},
+          .act = [options] { return act(*options); }};
 }
 
 }  // namespace repose

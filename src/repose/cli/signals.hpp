@@ -6,10 +6,10 @@
 
 namespace repose {
 
-/// True once Ctrl-C or SIGTERM has come, after `catch_signals`.
+/// True after Ctrl-C or SIGTERM, once `catch_signals` was called.
 extern std::atomic<bool> interrupted;
 
-/// The first Ctrl-C ends the work in good order; a second one kills it.
+/// From now on the first Ctrl-C or SIGTERM sets `interrupted`; a second one kills the program.
 void catch_signals();
 
 }  // namespace repose

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repose/cli/commands.hpp"
+#include "repose/cli/common_arguments.hpp"
+#include "repose/cli/verbs.hpp"
 #include "repose/contact_problem/contact_solution.hpp"
 #include "repose/core/errors.hpp"
 #include "repose/io/folders.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -39,11 +39,11 @@ void check_out(const SolveOptions& options) {
     throw InputError(fmt::format("{}: is the problem itself; choose another --out", options.out));
   }
   if (!options.overwrite || !std::filesystem::is_regular_file(options.out, error)) {
-    throw InputError(fmt::format("{}: is there already; choose another --out, or --overwrite a file", options.out));
+    throw InputError(fmt::format("{}: already exists; choose another --out, or --overwrite a file", options.out));
   }
 }
 
-void describe(const ContactProblem& solved, const ContactSolution& done) {
+void report(const ContactProblem& solved, const ContactSolution& done) {
   const auto& residual = done.residual;
   fmt::print("contacts            {} between {} bodies\n", solved.problem.contacts.size(),
              solved.problem.bodies.size());
@@ -61,7 +61,7 @@ int act(const SolveOptions& options) {
   settings.accelerated = options.solver == "accelerated";
   const auto done = solve(posed, settings, options.warm);
   if (!options.out.empty()) write_contact_solution(options.out, posed, done);
-  if (!options.quiet) describe(posed, done);
+  if (!options.quiet) report(posed, done);
   if (!done.solution.converged) {
     fmt::print(stderr, "{}: the tolerance of {:g} was not reached in {} sweeps: the residual is {:.3g}\n", options.file,
                settings.tolerance, done.solution.sweeps, done.residual.worst());
@@ -71,25 +71,50 @@ int act(const SolveOptions& options) {
 
 }  // namespace
 
-Command add_solve(CLI::App& app) {
+Verb solve_verb() {
   auto options = std::make_shared<SolveOptions>();
   auto& settings = options->settings;
-  auto* command = app.add_subcommand("solve", "Solve a contact problem that `export --to contact-problem` wrote");
-  command->add_option("FILE", options->file, "The problem, an HDF5 file")->required();
-  command->add_option("--out", options->out, "File to write impulses and velocities to (default: none)");
-  command->add_option("--tolerance", settings.tolerance, "Largest residual velocity of a contact, in units of g dt")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command->add_option("--most-sweeps", settings.most_sweeps, "Forward and backward sweeps at most")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command->add_option("--solver", options->solver, "accelerated, or sweeps alone")
-      ->check(CLI::IsMember({"accelerated", "sweeps"}))
-      ->capture_default_str();
-  command->add_flag("--warm", options->warm, "Start from the impulses of the file, not from none");
-  command->add_flag("--overwrite", options->overwrite, "Replace the file --out");
-  command->add_flag("--quiet", options->quiet, "Print nothing but errors");
-  return {command, [options] { return act(*options); }};
+  return {.name = "solve",
+          .about = "Solve a contact problem of contact dynamics and report its residual",
+          .details = "`repose export --to contact-problem` writes such a file.",
+          .arguments = {{.name = "FILE",
+                         .about = "Contact problem (HDF5)",
+                         .target = &options->file,
+                         .required = true,
+                         .completes = Completion::files},
+                        {.name = "--out",
+                         .value = "FILE",
+                         .about = "File to write with the impulses and velocities (default: none)",
+                         .target = &options->out,
+                         .completes = Completion::files},
+                        {.name = "--tolerance",
+                         .value = "X",
+                         .about = "Largest residual velocity of a contact, in units of g dt",
+                         .target = &settings.tolerance,
+                         .shows_default = true,
+                         .bound = {.least = 0}},
+                        {.name = "--most-sweeps",
+                         .value = "N",
+                         .about = "Most sweeps, each forward and backward",
+                         .target = &settings.most_sweeps,
+                         .shows_default = true,
+                         .bound = {.least = 0}},
+                        {.name = "--solver",
+                         .value = "SOLVER",
+                         .about = "Accelerated sweeps, or sweeps alone",
+                         .target = &options->solver,
+                         .shows_default = true,
+                         .choices = {"accelerated", "sweeps"}},
+                        {.name = "--warm",
+                         .about = "Start from the impulses of the file instead of zero",
+                         .target = &options->warm},
+                        overwrite_argument(options->overwrite, "Replace the file that --out names"),
+                        quiet_argument(options->quiet)},
+          .examples = {{"repose run examples/heap-cd.toml --out rigid", "Pour a heap of rigid grains"},
+                       {"repose export rigid --to contact-problem", "Write its next step as a contact problem"},
+                       {"repose solve rigid/export/contact-problem/problem.h5 --tolerance 1e-9",
+                        "Solve that step more precisely than the run did"}},
+          .act = [options] { return act(*options); }};
 }
 
 }  // namespace repose

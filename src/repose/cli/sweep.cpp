@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repose/cli/commands.hpp"
+#include "repose/cli/common_arguments.hpp"
 #include "repose/cli/signals.hpp"
 #include "repose/cli/sweep_view.hpp"
+#include "repose/cli/verbs.hpp"
 #include "repose/core/errors.hpp"
 #include "repose/sweep/members.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ struct SweepOptions {
   bool quiet = false;
 };
 
-/// `repose sweep DIR/sweep.toml` goes on in DIR.
+/// The folder of the sweep; `repose sweep DIR/sweep.toml` continues in DIR.
 std::string folder_for(const SweepOptions& options) {
   namespace fs = std::filesystem;
   if (!options.out.empty()) return options.out;
@@ -65,18 +65,34 @@ int act(const SweepOptions& options) {
 
 }  // namespace
 
-Command add_sweep(CLI::App& app) {
+Verb sweep_verb() {
   auto options = std::make_shared<SweepOptions>();
-  auto* command = app.add_subcommand(
-      "sweep", "Run an ensemble, parameters times seeds, over all cores; the same command goes on after a stop");
-  command->add_option("SWEEP", options->file, "Sweep file (TOML)")->required();
-  command->add_option("--out", options->out, "Folder to write or to go on in (default: the name of the file, here)");
-  command->add_option("--threads", options->processes, "Members that run side by side (default: one per core)")
-      ->check(CLI::Range(1, 1024));
-  command->add_flag("--overwrite", options->overwrite, "Clear out a sweep that is in the folder already");
-  command->add_flag("--check", options->dry, "Read and validate; say what would run");
-  command->add_flag("--quiet", options->quiet, "Print nothing but errors");
-  return {command, [options] { return act(*options); }};
+  return {.name = "sweep",
+          .about = "Run an ensemble, parameters times seeds, over all cores",
+          .details =
+              "Writes means with standard errors and verdicts on claims. The same command continues a sweep "
+              "after a stop of any kind.",
+          .arguments = {{.name = "SWEEP",
+                         .about = "Sweep file (TOML)",
+                         .target = &options->file,
+                         .required = true,
+                         .completes = Completion::scene_files},
+                        {.name = "--out",
+                         .value = "DIR",
+                         .about = "Folder to write or to continue (default: the name of the file, here)",
+                         .target = &options->out,
+                         .completes = Completion::folders},
+                        threads_argument(options->processes, "Members that run side by side (default: one per core)"),
+                        overwrite_argument(options->overwrite, "Remove a sweep that the folder already holds"),
+                        {.name = "--check",
+                         .about = "Check the sweep and describe its runs, without running",
+                         .target = &options->dry},
+                        quiet_argument(options->quiet)},
+          .examples = {{"repose sweep examples/sweeps/spacing.toml --check", "List the members and what they cost"},
+                       {"repose sweep examples/sweeps/spacing.toml --out spacing",
+                        "Run ten heaps on each of several bases; repeat the command to continue"},
+                       {"repose plot spacing", "Draw the means"}},
+          .act = [options] { return act(*options); }};
 }
 
 }  // namespace repose

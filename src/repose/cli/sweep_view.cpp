@@ -19,7 +19,7 @@ using Stage = MemberProgress::Stage;
 
 namespace {
 
-/// The measures that a terminal has room for.
+/// A measure of the table on the terminal, which has no room for all.
 struct Shown {
   const char* measure;
   const char* head;
@@ -99,7 +99,7 @@ SweepView::SweepView(const SweepFolder& folder, const Sweep& sweep, bool quiet)
   if (quiet_) return;
   fmt::print("{}", describe_plan(folder.plan()));
   const auto earlier = sweep.count(Stage::finished) + sweep.count(Stage::failed);
-  if (earlier > 0) fmt::print("going on         {} members have ended before and are kept\n", earlier);
+  if (earlier > 0) fmt::print("resuming         {} members have already ended and are kept\n", earlier);
   fmt::print("output           {}\n", folder.path());
   std::fflush(stdout);
   for (std::size_t k = 0; k < results_.size(); ++k) {
@@ -108,8 +108,8 @@ SweepView::SweepView(const SweepFolder& folder, const Sweep& sweep, bool quiet)
 }
 
 std::string SweepView::member_name(std::size_t member) const {
-  const auto& what = folder_.members()[member];
-  return fmt::format("{} seed {}", folder_.plan().points[what.point].name, what.seed);
+  const auto& [point, seed] = folder_.members()[member];
+  return fmt::format("{} seed {}", folder_.plan().points[point].name, seed);
 }
 
 void SweepView::read_results(std::size_t member) {

@@ -10,20 +10,21 @@
 
 namespace repose {
 
-/// What a sweep would run.
+/// Describes the members of a sweep and the work that they are.
 std::string describe_plan(const SweepPlan& plan);
 
-/// What came out: one line per point, then the verdicts on the claims.
+/// Describes the result: one line per point, then the verdicts on the claims.
 std::string describe_table(const SweepFolder& folder, const SweepTable& table);
 
-/// Shows how far a sweep has come: on a terminal a table that fills, one line per member otherwise.
+/// Shows the progress of a sweep: a table that fills on a terminal, one line per member otherwise.
 class SweepView {
  public:
   SweepView(const SweepFolder& folder, const Sweep& sweep, bool quiet);
-  /// A member has just ended.
+  /// Call this when a member has ended.
   void ended(std::size_t member);
+  /// Call this several times a second.
   void tick();
-  /// Clears the live table away.
+  /// Clears the live table.
   void finish();
 
  private:

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repose/cli/commands.hpp"
 #include "repose/cli/python.hpp"
+#include "repose/cli/verbs.hpp"
 #include "repose/core/errors.hpp"
 #include "repose/io/whole_file.hpp"
 #include "repose/theory/models.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -70,7 +69,8 @@ int act(const TheoryOptions& options) {
     fmt::print("{}", theory::list_of_models());
     return 0;
   }
-  if (options.model.empty()) throw InputError("repose theory: which model? `repose theory --list` names them");
+  if (options.model.empty())
+    throw InputError("repose theory: MODEL is missing (`repose theory --list` names the models)");
   const bool to_file = !options.csv.empty() && options.csv != "-";
   if (to_file) check_folder_of(options.csv);
   if (!options.plot.empty()) check_picture(options.plot);
@@ -91,20 +91,43 @@ int act(const TheoryOptions& options) {
   hand_over_to_python("repose.draw_theory", words);
 }
 
+std::vector<std::string> names_of_models() {
+  std::vector<std::string> names;
+  for (const auto& model : theory::default_models()) names.emplace_back(theory::text_of(model).name);
+  return names;
+}
+
 }  // namespace
 
-Command add_theory(CLI::App& app) {
+Verb theory_verb() {
   auto options = std::make_shared<TheoryOptions>();
-  auto* command = app.add_subcommand("theory", "A stress model of the literature as a table or a picture");
-  command->add_option("MODEL", options->model, "Which; --list names them");
-  command->add_option("--set", options->settings, "A parameter of the model, key=value; may be repeated")
-      ->take_all()
-      ->expected(1)
-      ->allow_extra_args(false);
-  command->add_option("--csv", options->csv, "File for the table; - (the default without --plot) prints it");
-  command->add_option("--plot", options->plot, "File for a picture: .png, .svg or .pdf");
-  command->add_flag("--list", options->list, "Name models, parameters with defaults and units, and sources");
-  return {command, [options] { return act(*options); }};
+  return {.name = "theory",
+          .about = "Print or draw a stress model of the literature",
+          .details = "--list names the models, their parameters with defaults and units, and their sources.",
+          .arguments = {{.name = "MODEL",
+                         .about = "Model to evaluate",
+                         .target = &options->model,
+                         .suggestions = names_of_models},
+                        {.name = "--set",
+                         .value = "KEY=VALUE",
+                         .about = "Set a parameter of the model",
+                         .target = &options->settings},
+                        {.name = "--csv",
+                         .value = "FILE",
+                         .about = "File to write the table to; - prints it, as does a call without --plot",
+                         .target = &options->csv,
+                         .completes = Completion::files},
+                        {.name = "--plot",
+                         .value = "FILE",
+                         .about = "File to draw a picture to: .png, .svg or .pdf",
+                         .target = &options->plot,
+                         .completes = Completion::files},
+                        {.name = "--list", .about = "List models, parameters and sources", .target = &options->list}},
+          .examples = {{"repose theory --list", "List all models"},
+                       {"repose theory pile-continuum --set slope_deg=30", "Print the base pressure of a pile"},
+                       {"repose theory osl --set model=ife --set angle_deg=32 --csv ife.csv --plot ife.png",
+                        "Write oriented stress linearity as a table and a picture"}},
+          .act = [options] { return act(*options); }};
 }
 
 }  // namespace repose

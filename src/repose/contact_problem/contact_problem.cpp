@@ -17,8 +17,8 @@ void check(const Record& record) {
   const auto& scene = record.scene;
   std::vector<std::string> problems;
   const auto refuse = [&](const std::string& why) { problems.push_back("no contact problem: " + why); };
-  if (!scene.method.rigid()) {
-    refuse(fmt::format("the method of the run is {}, and only contact-dynamics has one", scene.method.kind));
+  if (scene.method->solver() == nullptr) {
+    refuse(fmt::format("the method of the run is {}, and only contact-dynamics has one", scene.method->name()));
   }
   if (record.facts.status == Status::failed) refuse("the run failed: its last state is not to be trusted");
   if (std::any_of(record.walls.begin(), record.walls.end(),

@@ -2,18 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/core/size_distribution.hpp"
 
-#include <boost/math/distributions/normal.hpp>
+#include "repose/core/reproducible_math.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace repose {
 
 namespace {
 
+/// Distribution function of a normal variable, and its inverse.
 double normal_fraction(double x, double centre, double spread) {
-  return boost::math::cdf(boost::math::normal_distribution<double>(centre, spread), x);
+  return 0.5 * reproducible::erfc((centre - x) / (spread * std::numbers::sqrt2));
+}
+double normal_quantile(double fraction, double centre, double spread) {
+  return centre - reproducible::inverse_erfc(2.0 * fraction) * (spread * std::numbers::sqrt2);
 }
 
 /// The cumulative fractions of these weights: running sums, scaled so that the last is 1.
@@ -30,8 +35,9 @@ std::vector<double> cumulative(std::vector<double> weights) {
 }  // namespace
 
 LogMoments log_moments(double mean, double deviation) {
-  const double variance = std::log1p(std::pow(deviation / mean, 2));
-  return {std::log(mean) - 0.5 * variance, std::sqrt(variance)};
+  const double ratio = deviation / mean;
+  const double variance = reproducible::log1p(ratio * ratio);
+  return {reproducible::log(mean) - 0.5 * variance, std::sqrt(variance)};
 }
 
 SizeDistribution SizeDistribution::fixed(double diameter) { return uniform(diameter, diameter); }
@@ -55,7 +61,7 @@ SizeDistribution SizeDistribution::normal(double mean, double deviation, double 
 
 SizeDistribution SizeDistribution::log_normal(double mean, double deviation, double low, double high) {
   const auto [centre, spread] = log_moments(mean, deviation);
-  auto sizes = normal(centre, spread, std::log(low), std::log(high));
+  auto sizes = normal(centre, spread, reproducible::log(low), reproducible::log(high));
   sizes.kind_ = Kind::log_normal;
   sizes.smallest_ = low;
   sizes.largest_ = high;
@@ -111,14 +117,17 @@ double SizeDistribution::quantile(double u) const {
   const double fraction = from_ + (to_ - from_) * u;
   if (fraction <= 0.0) return smallest_;
   if (fraction >= 1.0) return largest_;
-  const double x = boost::math::quantile(boost::math::normal_distribution<double>(centre_, spread_), fraction);
-  return std::clamp(kind_ == Kind::log_normal ? std::exp(x) : x, smallest_, largest_);
+  const double x = normal_quantile(fraction, centre_, spread_);
+  return std::clamp(kind_ == Kind::log_normal ? reproducible::exp(x) : x, smallest_, largest_);
 }
 
 double SizeDistribution::mean_square() const {
   constexpr int parts = 4096;
   double sum = 0.0;
-  for (int k = 0; k < parts; ++k) sum += std::pow(quantile((k + 0.5) / parts), 2);
+  for (int k = 0; k < parts; ++k) {
+    const double diameter = quantile((k + 0.5) / parts);
+    sum += diameter * diameter;
+  }
   return sum / parts;
 }
 

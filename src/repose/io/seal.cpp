@@ -31,8 +31,8 @@ std::string seal_for(std::istream& file) {
   }
   if (file.bad()) return "";
   file.clear();
-  std::string text = fmt::format("{}length {}\nxxh3-128 {}\n", first_line, length, hash.text());
-  text.resize(seal_size, '\0');
+  std::string text(seal_size, '\0');
+  fmt::format_to_n(text.data(), seal_size, "{}length {}\nxxh3-128 {}\n", first_line, length, hash.text());
   return text;
 }
 

@@ -4,6 +4,7 @@
 
 #include "repose/core/errors.hpp"
 #include "repose/core/inline.hpp"
+#include "repose/core/reproducible_math.hpp"
 #include "repose/core/vec.hpp"
 
 #include <algorithm>
@@ -40,7 +41,7 @@ inline double friction_at(const ImpulseLaw& law, double slip_speed) {
 /// vertical.
 inline double rolling_friction_of(double critical_angle) {
   if (critical_angle >= 90.0) return std::numeric_limits<double>::infinity();
-  return std::tan(critical_angle * std::numbers::pi / 180.0);
+  return reproducible::tan(critical_angle * std::numbers::pi / 180.0);
 }
 
 /// The largest frictional impulse under this normal impulse; 0 without a normal impulse, even if the coefficient is

@@ -42,7 +42,7 @@ std::string kept_scene(const Hdf5Reader& file) {
 /// The scene that was run. Only its [analysis] may have been changed in scene.toml since then.
 Scene read_scene_of(const std::string& folder, const Hdf5Reader& file) {
   const auto scene = read_scene(folder + "/scene.toml");
-  auto run = read_scene_text(kept_scene(file), file.path() + ": scene");
+  auto run = scene_from_text(kept_scene(file), file.path() + ": scene");
   run.analysis = scene.analysis;
   if (scene_text(run) == scene_text(scene)) return scene;
   throw InputError(
@@ -85,7 +85,7 @@ void write_record(const std::string& path, const Record& record, const std::vect
   write_group(file, series_group(), record.series);
   if (!record.wall_series.empty()) write_columns(file, "series", wall_series_columns(), record);
   if (record.scene.output.energy) write_group(file, energy_group(), record.series);
-  if (record.scene.method.rigid()) write_group(file, solver_group(), record.series);
+  if (record.scene.method->solver() != nullptr) write_group(file, solver_group(), record.series);
   if (!record.base.x.empty()) write_group(file, base_group(), record.base);
   file.external_link("analysis", "analysis.h5", "/");
   const auto link = [&](const std::string& group, const std::vector<std::string>& names) {
@@ -155,7 +155,7 @@ Record read_record(const std::string& folder) {
   const auto rows = record.series.size();
   if (rows > 0 && !record.walls.empty()) read_columns(file, "series", wall_series_columns(), record, rows);
   if (record.scene.output.energy) read_group(file, energy_group(), record.series, rows);
-  if (record.scene.method.rigid()) read_group(file, solver_group(), record.series, rows);
+  if (record.scene.method->solver() != nullptr) read_group(file, solver_group(), record.series, rows);
   record.base = read_base(file);
   if (file.has("track")) {
     for (const auto& name : file.names_in("track")) {

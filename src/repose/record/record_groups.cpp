@@ -21,7 +21,8 @@ const Attributes<Record>& run_attributes() {
       attribute<Record>(
           "title", [](const Record& r) { return r.scene.title; }, "", "of the scene"),
       attribute<Record>(
-          "method", [](const Record& r) { return r.scene.method.kind; }, "", "`method.kind` of the scene"),
+          "method", [](const Record& r) { return std::string(r.scene.method->name()); }, "",
+          "`method.kind` of the scene"),
       attribute<Record>(
           "units", [](const Record& r) { return r.scene.units; }, "", "of the scene"),
       attribute<Record>(

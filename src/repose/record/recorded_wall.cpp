@@ -14,7 +14,7 @@ std::vector<RecordedWall> recorded_walls(const Scene& scene, const std::vector<W
   std::vector<RecordedWall> recorded;
   for (std::size_t w = 0; w < walls.size(); ++w) {
     const auto now = wall_now(walls[w], states.empty() ? WallState{} : states[w], time);
-    recorded.push_back({names[w], walls[w].point, walls[w], !now.there});
+    recorded.push_back({names[w], walls[w].point, walls[w], !now.present});
     recorded.back().wall.point = now.point;
   }
   return recorded;

@@ -13,11 +13,11 @@ bool has(const Scene& scene, Needs needs) {
     case Needs::nothing:
       return true;
     case Needs::forces:
-      return !scene.method.deposits();
+      return scene.method->traits().has_forces();
     case Needs::solver:
-      return scene.method.rigid();
+      return scene.method->solver() != nullptr;
     case Needs::deposition:
-      return scene.method.deposits();
+      return scene.method->sticking_angle().has_value();
   }
   return false;
 }

@@ -66,23 +66,23 @@ MeasureValue measure_value(const std::optional<T>& value) {
 }
 
 template <class T>
-struct KindOf {
+struct MeasureKind {
   static constexpr auto kind = std::is_arithmetic_v<T> ? Measure::Kind::number : Measure::Kind::list;
 };
 template <>
-struct KindOf<Object> {
+struct MeasureKind<Object> {
   static constexpr auto kind = Measure::Kind::object;
 };
 template <>
-struct KindOf<Estimate> {
+struct MeasureKind<Estimate> {
   static constexpr auto kind = Measure::Kind::estimate;
 };
 template <>
-struct KindOf<std::string> {
+struct MeasureKind<std::string> {
   static constexpr auto kind = Measure::Kind::text;
 };
 template <class T>
-struct KindOf<std::optional<T>> : KindOf<T> {};
+struct MeasureKind<std::optional<T>> : MeasureKind<T> {};
 
 /// `entry` gives a number, an Estimate, a text, a list of numbers or an Object from Measured, or a std::optional of
 /// one.
@@ -92,7 +92,7 @@ Measure measure(std::string name, std::string unit, std::string meaning, Entry e
   return {std::move(name),
           std::move(unit),
           std::move(meaning),
-          KindOf<Value>::kind,
+          MeasureKind<Value>::kind,
           [entry](const Measured& run) { return measure_value(std::invoke(entry, run)); },
           needs};
 }

@@ -42,11 +42,11 @@ PackingOptions packing_options(const Scene& scene) {
   options.correlations = analysis.correlations;
   options.structure = analysis.structure_factor;
   options.local_density = analysis.local_density;
-  if (has(scene, Needs::forces)) return options;
+  if (!has(scene, Needs::deposition)) return options;
   options.slab.base_height = 0.0;
   // Base discs lie on the floor too, and are neighbours already.
   options.walls.floor = -0.5 * scene.grains.diameter;
-  if (scene.box.x == "walls") {
+  if (scene.box.walled()) {
     options.walls.left = -scene.box.half_width;
     options.walls.right = scene.box.half_width;
   }
@@ -66,9 +66,10 @@ void measure_packing(const Record& record, Results& results) {
   for (std::size_t k = 0; k < discs.size(); ++k) {
     results.neighbours.push_back(static_cast<std::int64_t>(graph.degree(k)));
   }
-  if (has(scene, Needs::forces)) return;
+  const auto angle = scene.method->sticking_angle();
+  if (!angle) return;
   results.max_overlap = deepest_overlap(discs, box, graph);
-  const auto breaks = breaks_sticking_rule(discs, box, graph, options.walls, options.gap, scene.method.critical_angle);
+  const auto breaks = breaks_sticking_rule(discs, box, graph, options.walls, options.gap, *angle);
   results.breaking_rule = std::count(breaks.begin(), breaks.end(), 1);
 }
 
@@ -85,9 +86,10 @@ ForceNetwork network_of(const Packing& packing) {
   return network;
 }
 
-Results analyse_deposition(const Record& record) {
+/// A record without forces: the packing is all there is to measure.
+Results analyse_packing_alone(const Record& record) {
   Results results;
-  measure_packing(record, results);
+  if (*record.scene.analysis.packing) measure_packing(record, results);
   if (results.packing) results.network = network_of(*results.packing);
   return results;
 }
@@ -95,7 +97,7 @@ Results analyse_deposition(const Record& record) {
 }  // namespace
 
 Results analyse(const Record& record) {
-  if (!has(record.scene, Needs::forces)) return analyse_deposition(record);
+  if (!has(record.scene, Needs::forces)) return analyse_packing_alone(record);
   const auto& scene = record.scene;
   const auto& grains = *record.grains;
   const auto& contacts = record.contacts;
@@ -128,7 +130,7 @@ Results analyse(const Record& record) {
     results.field_weight_error = sum * results.fields.cell * results.fields.cell / mass - 1.0;
   }
   results.motion = measure_motion(record.track, box, motion_settings(scene, results.base_height));
-  if (scene.analysis.packing) measure_packing(record, results);
+  if (*scene.analysis.packing) measure_packing(record, results);
   return results;
 }
 

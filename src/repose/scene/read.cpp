@@ -3,17 +3,17 @@
 #include "repose/scene/read.hpp"
 
 #include "repose/core/errors.hpp"
-#include "repose/laws/time_step.hpp"
-#include "repose/scene/checks.hpp"
+#include "repose/scene/keys.hpp"
 #include "repose/scene/reader.hpp"
 #include "repose/scene/start.hpp"
 #include "repose/scene/toml_file.hpp"
+#include "repose/scene/write.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
+#include <numbers>
 
 namespace repose {
 
@@ -66,36 +66,34 @@ std::string apply(const std::string& setting, const std::string& origin, toml::t
   return key;
 }
 
-/// Four digits of x > 0, rounded down.
-double rounded_down(double x) {
-  const double digit = std::pow(10.0, std::floor(std::log10(x)) - 3.0);
-  return std::floor(x / digit) * digit;
+/// What one key alone cannot tell. A method judges its step last, for which all else must be sound.
+void check_all(const Scene& scene, Problems& problems) {
+  check_species(scene, problems);
+  check_slab(scene, problems);
+  if (scene.method->traits().has_forces()) check_contact(scene, problems);
+  check_boundaries(scene, problems);
+  check_sources(scene, problems);
+  if (scene.method->traits().follows_time) check_stop(scene, problems);
+  scene.method->check(scene, problems);
 }
 
-/// The explicit step against the stiffest contact; only where all that it depends on is sound.
-void check_time_step(const Scene& scene, Reader& reader) {
-  if (!reader.problems().empty()) return;
-  const double frequency = scene.contact_frequency();
-  if (const double automatic = scene.automatic_step(); !scene.method.time_step) {
-    if (std::isfinite(automatic) && automatic > 0.0) return;
-    return reader.problem("method.time_step",
-                          fmt::format(" = \"auto\": finds no step: the stiffest contact has the frequency w = {:.4g};"
-                                      " give a step [T], or check stiffness, mass and diameter",
-                                      frequency));
-  }
-  const double step = *scene.method.time_step;
-  if (step * frequency <= largest_phase) return;
-  reader.problem(
-      "method.time_step",
-      fmt::format(" = {}: unstable: the stiffest contact (a fall from the source) has the frequency w = {:.4g}"
-                  " and w dt = {:.3g} > 1; the largest step that is not refused is {:.4g}, \"auto\" takes "
-                  "{:.4g} [T]",
-                  step, frequency, step * frequency, rounded_down(largest_phase / frequency), scene.automatic_step()));
+Scene read_table(const toml::table& root, const std::string& name,
+                 const std::vector<std::pair<std::string, std::string>>& origins, std::vector<std::string> problems) {
+  Reader reader(root, name);
+  for (const auto& [key, origin] : origins) reader.comes_from(key, origin);
+  Scene scene;
+  show_keys(scene, reader);
+  reader.report_unknown_keys();
+  look_at_start(scene, reader, std::filesystem::path(name).parent_path().string());
+  check_all(scene, reader);
+  problems.insert(problems.end(), reader.problems().begin(), reader.problems().end());
+  if (!problems.empty()) throw InputError(problems);
+  return scene;
 }
 
 }  // namespace
 
-Scene read_scene_text(const std::string& text, const std::string& name, const Overrides& overrides) {
+Scene scene_from_text(const std::string& text, const std::string& name, const Overrides& overrides) {
   toml::table root = parsed_toml(text, name);
   std::vector<std::string> problems;
   std::vector<std::pair<std::string, std::string>> origins;
@@ -109,30 +107,13 @@ Scene read_scene_text(const std::string& text, const std::string& name, const Ov
     root.insert_or_assign("seed", *overrides.seed);
     origins.emplace_back("seed", "--seed");
   }
-  Reader reader(root, name);
-  for (const auto& [key, origin] : origins) reader.comes_from(key, origin);
-  Scene scene;
-  go_through(scene, reader);
-  reader.report_unknown_keys();
-  look_at_start(scene, reader, std::filesystem::path(name).parent_path().string());
-  check_species(scene, reader);
-  check_packing(scene, reader);
-  if (scene.method.deposits()) {
-    check_deposition(scene, reader);
-  } else {
-    check_laws(scene, reader);
-    check_boundaries(scene, reader);
-    check_sources(scene, reader);
-    check_stop(scene, reader);
-    scene.method.rigid() ? check_rigid(scene, reader) : check_time_step(scene, reader);
-  }
-  problems.insert(problems.end(), reader.problems().begin(), reader.problems().end());
-  if (!problems.empty()) throw InputError(problems);
-  return scene;
+  return read_table(root, name, origins, problems);
 }
 
 Scene read_scene(const std::string& path, const Overrides& overrides) {
-  return read_scene_text(text_of_file(path), path, overrides);
+  return scene_from_text(text_of_file(path), path, overrides);
 }
+
+Scene checked(const Scene& scene) { return read_table(parsed_toml(given_text(scene), ""), "", {}, {}); }
 
 }  // namespace repose

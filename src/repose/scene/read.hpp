@@ -22,7 +22,12 @@ struct Overrides {
 /// "file:line: key = value: what is allowed".
 Scene read_scene(const std::string& path, const Overrides& overrides = {});
 
-/// The same for the text of a scene; `name` stands for the file in messages.
-Scene read_scene_text(const std::string& text, const std::string& name, const Overrides& overrides = {});
+/// The same for the text of a scene; `name` stands for the file in messages, and the folder of that name is where
+/// relative paths begin.
+Scene scene_from_text(const std::string& text, const std::string& name, const Overrides& overrides = {});
+
+/// A scene filled in by hand, complete: what is left unset gets its default, and all is checked as in a file. Throws
+/// InputError with every problem, one line each: "key = value: what is allowed".
+Scene checked(const Scene& scene);
 
 }  // namespace repose

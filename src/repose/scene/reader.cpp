@@ -83,6 +83,8 @@ std::string parent_of(const std::string& key) {
   return dot == std::string::npos ? "" : key.substr(0, dot);
 }
 
+std::string_view last_step(std::string_view key) { return key.substr(key.rfind('.') + 1); }
+
 }  // namespace
 
 const toml::node* Reader::find(const std::string& key) const {
@@ -100,185 +102,166 @@ const toml::node* Reader::find(const std::string& key) const {
   return node;
 }
 
+/// "scene.toml:12"; "" where the scene has no file.
+std::string Reader::at_line(const toml::node& node) const {
+  const auto line = node.source().begin.line;
+  return name_.empty() || line == 0 ? name_ : fmt::format("{}:{}", name_, line);
+}
+
 std::string Reader::place(const std::string& key) const {
   for (std::string at = key; !at.empty(); at = parent_of(at)) {
     if (const auto origin = origin_.find(at); origin != origin_.end()) return origin->second;
     const auto* node = find(at);
-    if (node != nullptr && node->source().begin.line > 0) {
-      return fmt::format("{}:{}", name_, node->source().begin.line);
-    }
+    if (node != nullptr && node->source().begin.line > 0) return at_line(*node);
   }
   return name_;
 }
 
+bool Reader::from_command_line(const std::string& key) const {
+  const auto origin = origin_.find(key);
+  return origin != origin_.end() && origin->second.starts_with("--set");
+}
+
 void Reader::problem(const std::string& key, const std::string& what) {
   wrong_.insert(key);
-  problems_.push_back(fmt::format("{}: {}{}", place(key), key, what));
+  const auto where = place(key);
+  problems_.push_back(fmt::format("{}{}{}{}", where, where.empty() ? "" : ": ", key, what));
 }
 
 void Reader::missing(const std::string& key, std::string_view about) {
-  problem(key, fmt::format(": missing; it says: {}", about));
+  problem(key, fmt::format(": missing: {}", about));
 }
 
 void Reader::wrong_type(const std::string& key, const toml::node& node, std::string_view wanted) {
   problem(key, fmt::format(" = {}: must be {}, is {}", value_text(node), wanted, type_name(node)));
 }
 
-bool Reader::check_bounds(const std::string& key, const std::string& shown, double value, const Bounds& bounds,
-                          std::string_view unit) {
-  const bool fine = std::isfinite(value) || (std::isinf(value) && bounds.infinite_allowed);
-  if (fine && bounds.holds(value)) return true;
-  const std::string allowed = fine ? bounds.text() : "must be a finite number";
-  problem(key, fmt::format("{}: {}{}", shown, allowed, unit.empty() ? "" : fmt::format(" [{}]", unit)));
+bool Reader::check_bounds(const Item& item, const std::string& shown, double value, const Bounds& bounds) {
+  if (bounds.hold(value)) return true;
+  const bool finite = std::isfinite(value) || (std::isinf(value) && bounds.infinite_allowed);
+  const auto unit = item.unit.empty() ? "" : fmt::format(" [{}]", item.unit);
+  problem(std::string(item.name), fmt::format("{}: {}{}", shown, finite ? bounds.text() : any.text(), unit));
   return false;
 }
 
-void Reader::number(const std::string& key, double& value, double fallback, const Bounds& bounds, std::string_view unit,
-                    std::string_view about) {
+void Reader::show(const Item& item) {
+  const std::string key(item.name);
   asked_.insert(key);
   const auto* node = find(key);
-  // Something sound to go on with, so that one problem does not bring about others.
-  value = std::isnan(fallback) ? 1.0 : fallback;
-  if (node == nullptr) {
-    if (std::isnan(fallback)) return missing(key, about);
+  // Without a default something sound to continue with, so that one problem does not bring about others.
+  const bool has_default = take_default(item);
+  if (node != nullptr) {
+    std::visit([&](const auto& kind) { read(item, *node, kind); }, item.value);
+  } else if (!has_default) {
+    missing(key, item.about);
+  } else if (const auto* number = std::get_if<Number>(&item.value)) {
     // Defaults that follow from other keys can overflow.
-    check_bounds(key, fmt::format(": missing, and its default, {}, will not do", fallback), fallback, bounds, unit);
-    return;
+    const auto shown = fmt::format(": missing, and its default is {}", number->value);
+    check_bounds(item, shown, number->value, number->bounds);
   }
-  if (!node->is_number()) return wrong_type(key, *node, "a number");
-  const double read = number_in(*node);
-  if (check_bounds(key, fmt::format(" = {}", value_text(*node)), read, bounds, unit)) value = read;
 }
 
-void Reader::optional_number(const std::string& key, std::optional<double>& value, std::string_view none,
-                             const Bounds& bounds, std::string_view unit, std::string_view /*about*/) {
-  asked_.insert(key);
-  value.reset();
-  const auto* node = find(key);
-  if (node == nullptr) return;
-  if (!none.empty() && node->value<std::string>() == std::string(none)) return;
-  if (!node->is_number()) {
-    return wrong_type(key, *node, none.empty() ? "a number" : fmt::format("a number or \"{}\"", none));
-  }
-  value = number_in(*node);
-  check_bounds(key, fmt::format(" = {}", value_text(*node)), *value, bounds, unit);
+void Reader::read(const Item& item, const toml::node& node, const Number& number) {
+  if (!node.is_number()) return wrong_type(std::string(item.name), node, "a number");
+  const double value = number_in(node);
+  if (check_bounds(item, fmt::format(" = {}", value_text(node)), value, number.bounds)) number.value = value;
 }
 
-void Reader::integer(const std::string& key, std::int64_t& value, std::optional<std::int64_t> fallback,
-                     std::int64_t low, std::string_view about) {
-  asked_.insert(key);
-  value = fallback.value_or(low);
-  const auto* node = find(key);
-  if (node == nullptr) {
-    if (!fallback) missing(key, about);
-    return;
+void Reader::read(const Item& item, const toml::node& node, const OptionalNumber& number) {
+  const std::string word(number.without.word);
+  if (!word.empty() && node.value<std::string>() == word) return;
+  if (!node.is_number()) {
+    return wrong_type(std::string(item.name), node,
+                      word.empty() ? "a number" : fmt::format("a number or \"{}\"", word));
   }
-  if (!node->is_integer()) return wrong_type(key, *node, "a whole number");
-  const auto read = *node->value<std::int64_t>();
-  constexpr std::int64_t most = std::int64_t{1} << 53;
-  if (read < low || read > most) {
-    return problem(key, fmt::format(" = {}: must be a whole number from {} to {}", read, low, most));
-  }
-  value = read;
+  number.value = number_in(node);
+  check_bounds(item, fmt::format(" = {}", value_text(node)), *number.value, number.bounds);
 }
 
-void Reader::flag(const std::string& key, bool& value, bool fallback, std::string_view /*about*/) {
-  asked_.insert(key);
-  value = fallback;
-  const auto* node = find(key);
-  if (node == nullptr) return;
-  if (!node->is_boolean()) return wrong_type(key, *node, "true or false");
-  value = *node->value<bool>();
-}
-
-void Reader::text(const std::string& key, std::string& value, std::string_view fallback, std::string_view /*about*/) {
-  asked_.insert(key);
-  value = fallback;
-  const auto* node = find(key);
-  if (node == nullptr) return;
-  if (!node->is_string()) return wrong_type(key, *node, "text");
-  value = *node->value<std::string>();
-}
-
-void Reader::choice(const std::string& key, std::string& value, std::string_view fallback,
-                    const std::vector<std::string>& words, std::string_view about) {
-  asked_.insert(key);
-  value = fallback.empty() ? words.front() : std::string(fallback);
-  const auto* node = find(key);
-  if (node == nullptr) {
-    if (fallback.empty()) missing(key, about);
-    return;
+void Reader::read(const Item& item, const toml::node& node, const Whole& whole) {
+  const std::string key(item.name);
+  if (!node.is_integer()) return wrong_type(key, node, "a whole number");
+  const auto value = *node.value<std::int64_t>();
+  const auto most = std::min(whole.bounds.high, std::int64_t{1} << 53);
+  if (value < whole.bounds.low || value > most) {
+    return problem(key, fmt::format(" = {}: must be a whole number from {} to {}", value, whole.bounds.low, most));
   }
-  const std::string allowed = fmt::format("one of \"{}\"", fmt::join(words, "\", \""));
-  if (!node->is_string()) return wrong_type(key, *node, allowed);
-  const auto word = *node->value<std::string>();
-  if (std::find(words.begin(), words.end(), word) == words.end()) {
+  whole.value = value;
+}
+
+void Reader::read(const Item& item, const toml::node& node, const Flag& flag) {
+  if (!node.is_boolean()) return wrong_type(std::string(item.name), node, "true or false");
+  flag.value = *node.value<bool>();
+}
+
+void Reader::read(const Item& item, const toml::node& node, const Text& text) {
+  if (!node.is_string()) return wrong_type(std::string(item.name), node, "text");
+  text.value = *node.value<std::string>();
+}
+
+void Reader::read(const Item& item, const toml::node& node, const Choice& choice) {
+  const std::string key(item.name);
+  std::vector<std::string_view> names;
+  for (const auto& word : choice.words) names.push_back(word.name);
+  const std::string allowed = fmt::format("one of \"{}\"", fmt::join(names, "\", \""));
+  if (!node.is_string()) return wrong_type(key, node, allowed);
+  const auto word = *node.value<std::string>();
+  if (std::find(names.begin(), names.end(), word) == names.end()) {
     return problem(key, fmt::format(" = \"{}\": must be {}", word, allowed));
   }
-  value = word;
+  choice.value = word;
 }
 
-void Reader::numbers(const std::string& key, std::vector<double>& values, std::string_view /*unit*/,
-                     std::string_view about) {
-  asked_.insert(key);
-  values.clear();
-  const auto* node = find(key);
-  if (node == nullptr) return missing(key, about);
-  const auto* list = node->as_array();
-  if (list == nullptr || list->empty()) return wrong_type(key, *node, "a list of numbers");
-  for (const auto& entry : *list) {
-    const double number = number_in(entry);
-    if (!std::isfinite(number)) {
-      return problem(key, fmt::format(" = {}: must be a list of finite numbers", value_text(*node)));
-    }
-    values.push_back(number);
-  }
-}
-
-void Reader::one_of(const std::string& group, const std::vector<Parameters::Way>& ways, std::size_t& way, double& value,
-                    double fallback) {
-  way = 0;
-  std::size_t found = ways.size();
-  for (std::size_t k = 0; k < ways.size(); ++k) {
-    const auto key = group + std::string(ways[k].name);
-    asked_.insert(key);
-    if (!given(key)) continue;
-    if (found < ways.size()) {
-      problem(key, fmt::format(": only one of {} and {} may be given", ways[found].name, ways[k].name));
-      continue;
-    }
-    found = k;
-  }
-  if (found < ways.size()) way = found;
-  number(group + std::string(ways[way].name), value, way == 0 ? fallback : required, ways[way].bounds, ways[way].unit,
-         ways[way].about);
-}
-
-void Reader::vector(const std::string& key, std::array<double, 2>& value, std::optional<std::array<double, 2>> fallback,
-                    std::string_view /*unit*/, std::string_view about) {
-  asked_.insert(key);
-  value = fallback.value_or(std::array<double, 2>{});
-  const auto* node = find(key);
-  if (node == nullptr) {
-    if (!fallback) missing(key, about);
-    return;
-  }
-  const auto* list = node->as_array();
-  if (list == nullptr) return wrong_type(key, *node, "a list of two numbers");
+void Reader::read(const Item& item, const toml::node& node, const Vector& vector) {
+  const std::string key(item.name);
+  const auto* list = node.as_array();
+  if (list == nullptr) return wrong_type(key, node, "a list of two numbers");
   if (list->size() != 2) {
-    return problem(key, fmt::format(" = {}: must be a list of two numbers, has {}", value_text(*node), list->size()));
+    return problem(key, fmt::format(" = {}: must be a list of two numbers, has {}", value_text(node), list->size()));
   }
   for (std::size_t k = 0; k < 2; ++k) {
     const double component = number_in(*list->get(k));
     if (!std::isfinite(component)) {
-      return problem(key, fmt::format(" = {}: must be a list of two finite numbers", value_text(*node)));
+      return problem(key, fmt::format(" = {}: must be a list of two finite numbers", value_text(node)));
     }
-    value[k] = component;
+    vector.value[k] = component;
   }
 }
 
-void Reader::tables(const std::string& key, const std::function<std::size_t(std::size_t)>& resize,
-                    const std::function<void(const std::string& prefix, std::size_t index)>& each) {
+void Reader::read(const Item& item, const toml::node& node, const List& list) {
+  const std::string key(item.name);
+  const auto* entries = node.as_array();
+  if (entries == nullptr || entries->empty()) return wrong_type(key, node, "a list of numbers");
+  for (const auto& entry : *entries) {
+    const double number = number_in(entry);
+    if (!std::isfinite(number)) {
+      return problem(key, fmt::format(" = {}: must be a list of finite numbers", value_text(node)));
+    }
+    list.values.push_back(number);
+  }
+}
+
+void Reader::one_of(const std::vector<Alternative>& alternatives, std::size_t& chosen, double& value, double fallback) {
+  chosen = 0;
+  std::size_t found = alternatives.size();
+  for (std::size_t k = 0; k < alternatives.size(); ++k) {
+    const std::string key(alternatives[k].name);
+    asked_.insert(key);
+    if (!given(key)) continue;
+    if (found < alternatives.size()) {
+      problem(key, fmt::format(": only one of {} and {} may be given", last_step(alternatives[found].name),
+                               last_step(alternatives[k].name)));
+      continue;
+    }
+    found = k;
+  }
+  if (found < alternatives.size()) chosen = found;
+  Parameters::one_of(alternatives, chosen, value, fallback);
+}
+
+void Reader::tables(std::string_view name, const std::function<std::size_t(std::size_t)>& resize,
+                    const std::function<void(Parameters& entry, std::size_t index)>& each) {
+  const std::string key(name);
   asked_.insert(key);
   const auto* node = find(key);
   if (node == nullptr) return;
@@ -287,7 +270,10 @@ void Reader::tables(const std::string& key, const std::function<std::size_t(std:
     return wrong_type(key, *node, fmt::format("a list of tables, each headed [[{}]]", key));
   }
   const auto count = resize(list->size());
-  for (std::size_t k = 0; k < count; ++k) each(fmt::format("{}[{}].", key, k), k);
+  for (std::size_t k = 0; k < count; ++k) {
+    Prefixed entry(fmt::format("{}[{}].", key, k), *this);
+    each(entry, k);
+  }
 }
 
 void Reader::report_unknown_keys() { unknown_in(root_, ""); }
@@ -306,10 +292,9 @@ void Reader::unknown_in(const toml::node& node, const std::string& key) {
       if (is_step(name.str())) {
         unknown_in(child, key.empty() ? std::string(name.str()) : fmt::format("{}.{}", key, name.str()));
       } else {
-        const auto line = child.source().begin.line;
         problems_.push_back(fmt::format(
             "{}: {}{}\"{}\": unknown key; keys are words, with dots outside quotation marks",
-            line > 0 ? fmt::format("{}:{}", name_, line) : place(key), key, key.empty() ? "" : ".", name.str()));
+            child.source().begin.line > 0 ? at_line(child) : place(key), key, key.empty() ? "" : ".", name.str()));
       }
     }
     return;

@@ -18,17 +18,22 @@ namespace repose {
 
 namespace {
 
-/// What makes sense of the memory of a contact: rigid grains begin with the forces that rigid grains had, and a law
-/// with the displacement that the same law kept.
+/// What a contact remembers makes sense to: a method, and where contacts have laws of force, the tangential law that
+/// kept the displacement.
+std::string memory_of(const MethodKind& method, const std::string& tangential_law) {
+  return method.traits().force_laws ? tangential_law : std::string(method.name());
+}
+
 std::string memory_of(const std::string& scene, const std::string& name) {
   const auto root = parsed_toml(scene, name);
   const auto kind = root.at_path("method.kind").value_or(std::string());
-  return kind == "soft" ? root.at_path("contact.tangential.law").value_or(std::string()) : kind;
+  const auto method = method_kinds().make(kind);
+  return method ? memory_of(*method, root.at_path("contact.tangential.law").value_or(std::string())) : kind;
 }
 
 std::string memory_of(const Scene& scene) {
-  if (scene.method.rigid()) return scene.method.kind;
-  return std::visit([](const auto& law) { return std::string(law.name); }, scene.contact.tangential);
+  return memory_of(*scene.method,
+                   std::visit([](const auto& law) { return std::string(law.name); }, scene.contact.tangential));
 }
 
 void take_facts(const StartState& state, Scene& scene) {
@@ -64,10 +69,10 @@ void check_grains(const StartState& state, const Scene& scene, Reader& reader) {
                                              "the same list of [[material]]",
                                              says, unknown));
   }
-  if (scene.start.base && scene.base.of_grains() && reader.sound("base.kind")) {
+  if (scene.start.base && scene.base->of_grains() && reader.sound("base.kind")) {
     reader.problem("base.kind", fmt::format(" = \"{}\": the grains of start.from bring their base with them; leave "
                                             "base.kind out",
-                                            scene.base.kind));
+                                            scene.base->name()));
   }
 }
 
@@ -76,7 +81,7 @@ void check_grains(const StartState& state, const Scene& scene, Reader& reader) {
 void look_at_start(Scene& scene, Reader& reader, const std::string& folder) {
   auto& start = scene.start;
   if (start.from.empty()) return;
-  // What is said on the command line is meant from where the command is given.
+  // A path on the command line is relative to the current folder.
   const fs::path beside = reader.from_command_line("start.from") ? fs::path() : fs::path(folder);
   start.path = start_file((beside / start.from).string());
   try {

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#define TOML_IMPLEMENTATION
 #include "repose/scene/toml_file.hpp"
 
 #include "repose/core/errors.hpp"

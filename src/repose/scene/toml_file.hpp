@@ -6,8 +6,8 @@
 #include <string>
 
 // toml++ takes for granted that a key begins like one; a header such as [?] breaks that, and the program with it. Its
-// assumptions are therefore checked in every build, and one that does not hold ends the reading. The library is used as
-// headers only, inside this folder, and always through this file.
+// assumptions are therefore checked in every build, and one that does not hold ends the reading. The library is used
+// always through this file; toml_file.cpp compiles what is no template.
 namespace repose {
 struct TomlAssumptionError : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -16,6 +16,7 @@ constexpr void check_toml_assumption(bool holds) {
   if (!holds) throw TomlAssumptionError("not TOML");
 }
 }  // namespace repose
+#define TOML_HEADER_ONLY 0
 #define TOML_ASSERT(expression) ::repose::check_toml_assumption(static_cast<bool>(expression))
 #pragma push_macro("NDEBUG")
 #undef NDEBUG

@@ -9,7 +9,7 @@ namespace repose {
 /// Time [T] by which a run should be over: stop.time, or else the end of the pouring and some time to settle.
 double expected_end(const Scene& scene);
 
-/// Moving grain-steps up to a time, for grains that are poured at a constant rate.
+/// Moving grain-steps up to a time, those of the start and those that the source brings.
 double expected_work(const Scene& scene, double time);
 
 }  // namespace repose

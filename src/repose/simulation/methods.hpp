@@ -9,7 +9,7 @@
 
 namespace repose {
 
-/// The method of the scene, ready to run.
-std::unique_ptr<Method<2>> make_method(const Scene& scene);
+/// The method of the scene, ready to run. Each kind makes its own, in simulation/methods.
+inline std::unique_ptr<Method<2>> make_method(const Scene& scene) { return scene.method->make(scene); }
 
 }  // namespace repose

@@ -31,7 +31,7 @@ void Series::add_row(const Simulation& simulation, Method<2>& method) {
   const auto& grains = simulation.grains();
   // Geometry alone holds deposited discs: there are no forces to measure while they are laid down.
   const Contacts<2> none;
-  const auto& contacts = scene.method.deposits() ? none : simulation.contacts();
+  const auto& contacts = scene.method->traits().has_forces() ? simulation.contacts() : none;
   SeriesRow row;
   row.time = simulation.time();
   row.grains = static_cast<std::int64_t>(simulation.moving());
@@ -44,7 +44,7 @@ void Series::add_row(const Simulation& simulation, Method<2>& method) {
   row.lost = simulation.lost();
   add_walls(row.time, method);
   if (scene.output.energy) row.energy = method.energy(grains);
-  if (scene.method.rigid()) {
+  if (scene.method->solver() != nullptr) {
     row.solver = method.take_solver_account();
     row.creep_rate = median_speed(grains, supported(grains, contacts));
   }

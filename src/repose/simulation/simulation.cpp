@@ -82,7 +82,7 @@ Advanced Simulation::run(const Pause& pause) {
 
 void Simulation::begin() {
   begun_ = true;
-  if (scene_.source.height_above == "apex") refresh();  // the first grain asks what touches
+  if (scene_.source->above_apex()) refresh();  // the first grain asks what touches
   release_due_grains();
   begin_due_loads();
   refresh();

@@ -24,12 +24,12 @@ std::optional<Stop> stop_after_row(const Simulation& simulation, const Source& s
   const auto& scene = simulation.scene();
   const auto& row = simulation.series().back();
   if (row.max_overlap > largest_overlap) return Stop{Status::failed, describe_trouble(simulation)};
-  if (row.solver.unconverged > 0 && scene.method.unconverged == "error") {
-    return Stop{Status::failed,
-                fmt::format("{} of {} steps to time {:.6g} did not converge: worst residual {:.3g} of gravity times "
-                            "time step, method.tolerance = {} (method.unconverged = \"error\")",
-                            row.solver.unconverged, row.solver.steps, row.time, row.solver.worst_residual,
-                            scene.method.tolerance)};
+  if (const auto* solver = scene.method->solver(); solver != nullptr && solver->stops() && row.solver.unconverged > 0) {
+    return Stop{
+        Status::failed,
+        fmt::format("{} of {} steps to time {:.6g} did not converge: worst residual {:.3g} of gravity times "
+                    "time step, method.tolerance = {} (method.unconverged = \"error\")",
+                    row.solver.unconverged, row.solver.steps, row.time, row.solver.worst_residual, solver->tolerance)};
   }
   if (scene.stop.at_rest && source.done() && at_rest(scene, row)) {
     return Stop{Status::finished,

@@ -14,7 +14,7 @@
 namespace repose {
 
 std::string describe_trouble(const Simulation& simulation) {
-  if (simulation.scene().method.deposits()) {
+  if (!simulation.scene().method->traits().follows_time) {
     return fmt::format("disc {} finds no place to rest", simulation.released());
   }
   const auto& grains = simulation.grains();

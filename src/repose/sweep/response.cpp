@@ -28,7 +28,7 @@ bool one_downward(const Scene& scene) {
   return scene.loads.size() == 1 && scene.loads[0].force[0] == 0.0 && scene.loads[0].force[1] < 0.0;
 }
 
-double width_of(const Scene& scene) { return scene.box.x == "periodic" ? 2.0 * scene.box.half_width : 0.0; }
+double width_of(const Scene& scene) { return scene.box.periodic() ? 2.0 * scene.box.half_width : 0.0; }
 
 /// x - from [L], by the nearest image in a periodic box.
 double along(double x, double from, double width) { return width > 0.0 ? std::remainder(x - from, width) : x - from; }

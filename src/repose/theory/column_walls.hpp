@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/parameters.hpp"
+
 #include <cmath>
 #include <string>
 #include <vector>
@@ -9,8 +11,8 @@
 namespace repose::theory {
 
 /// The motions of a column relative to its walls. They set the sign of the wall friction.
-inline const std::vector<std::string>& column_directions() {
-  static const std::vector<std::string> words = {"rest", "pushed-up"};
+inline const std::vector<Word>& column_directions() {
+  static const std::vector<Word> words = {"rest", "pushed-up"};
   return words;
 }
 

@@ -38,7 +38,7 @@ double vertical_stress(const Janssen& column, double depth) {
   return weight_per_volume(column) * depth * fraction_at_bottom(x) + column.overload * std::exp(-x);  // (24)
 }
 
-void parameters(Janssen& column, ModelParameters& to) {
+void parameters(Janssen& column, Parameters& to) {
   to.integer("dimension", column.dimension, {.low = 2, .high = 3},
              "2: slit, all quantities per unit length along it; 3: round pipe");
   to.number("width", column.width, positive, "L", "distance between the walls in 2D, diameter in 3D");

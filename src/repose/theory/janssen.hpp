@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/theory/model_parameters.hpp"
+#include "repose/theory/model_text.hpp"
 #include "repose/theory/table.hpp"
 
 #include <cstdint>
@@ -46,7 +46,7 @@ double area(const Janssen& column);
 /// The vertical stress [M/(L T^2)] at a depth [L] below the top; compression is positive.
 double vertical_stress(const Janssen& column, double depth);
 
-void parameters(Janssen& column, ModelParameters& to);
+void parameters(Janssen& column, Parameters& to);
 std::vector<std::string> relations(const Janssen& column);
 
 /// Columns depth, stress, apparent_mass (stress * area / g).

@@ -48,7 +48,7 @@ DiscreteLengths discrete_lengths(const JanssenDiscrete& stack) {
   return {.lambda_1 = 1.0 / std::abs(q), .lambda_2 = 1.0 / std::abs(decay(stack)), .ratio = decay(stack) / q};
 }
 
-void parameters(JanssenDiscrete& stack, ModelParameters& to) {
+void parameters(JanssenDiscrete& stack, Parameters& to) {
   to.number("k_mu", stack.k_mu, not_negative, "1", "stress ratio times wall friction; 2 k_mu < 1 if pushed up");
   to.integer("layers", stack.layers, {.low = 1, .high = 10'000'000}, "number of cells");
   to.choice("direction", stack.direction, column_directions(),

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/theory/model_parameters.hpp"
+#include "repose/theory/model_text.hpp"
 #include "repose/theory/table.hpp"
 
 #include <cstdint>
@@ -37,7 +37,7 @@ struct DiscreteLengths {
 };
 DiscreteLengths discrete_lengths(const JanssenDiscrete& stack);
 
-void parameters(JanssenDiscrete& stack, ModelParameters& to);
+void parameters(JanssenDiscrete& stack, Parameters& to);
 std::vector<std::string> relations(const JanssenDiscrete& stack);
 
 /// A table with the columns layer (1 to N from the top) and force.

@@ -44,7 +44,7 @@ ApparentMasses read_masses(const JanssenFit& fit) {
 
 }  // namespace
 
-void parameters(JanssenFit& fit, ModelParameters& to) {
+void parameters(JanssenFit& fit, Parameters& to) {
   to.text("file", fit.file,
           "CSV file with columns height (L), apparent_mass (M) and optionally apparent_mass_error (M)");
   to.integer("parameters", fit.parameters, {.low = 1, .high = 2}, "2: lambda_1 and lambda_2; 1: both are equal");

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/theory/model_parameters.hpp"
+#include "repose/theory/model_text.hpp"
 #include "repose/theory/table.hpp"
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct JanssenFit {
                                   .source = "Bratberg 2003 (thesis), eqs (25) and (38), corrected"};
 };
 
-void parameters(JanssenFit& fit, ModelParameters& to);
+void parameters(JanssenFit& fit, Parameters& to);
 
 /// A table with the columns height, apparent_mass, fitted, residual (apparent_mass minus fitted), and
 /// apparent_mass_error if the file has it. Throws InputError if the file is invalid or its data do not determine the

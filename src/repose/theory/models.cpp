@@ -25,36 +25,22 @@ std::vector<Model> every_model(std::index_sequence<Index...> /*of the variant*/)
   return {Model{std::in_place_index<Index>}...};
 }
 
-/// Collects the parameters of a model as texts.
-class Describer : public ModelParameters {
+/// Lists the parameters of a model.
+class Lister final : public Parameters {
  public:
   std::vector<ParameterText> texts;
 
-  void number(std::string_view name, double& value, const Bounds& bounds, std::string_view unit,
-              std::string_view about) override {
-    add(name, std::isnan(value) ? "" : fmt::format("{}", value), unit, bounds.text(), about);
-  }
-  void optional_number(std::string_view name, std::optional<double>& value, std::string_view otherwise,
-                       const Bounds& bounds, std::string_view unit, std::string_view about) override {
-    if (value) return add(name, fmt::format("{}", *value), unit, bounds.text(), about);
-    add(name, std::string{otherwise}, "", bounds.text(), about);
-    texts.back().is_set = false;
-  }
-  void integer(std::string_view name, std::int64_t& value, const WholeBounds& bounds, std::string_view about) override {
-    add(name, fmt::format("{}", value), "1", bounds.text(), about);
-  }
-  void choice(std::string_view name, std::string& value, const std::vector<std::string>& words,
-              std::string_view about) override {
-    add(name, value, "", fmt::format("must be {}", fmt::join(words, " | ")), about);
-  }
-  void text(std::string_view name, std::string& value, std::string_view about) override {
-    add(name, value, "", "", about);
-  }
-
  private:
-  void add(std::string_view name, std::string value, std::string_view unit, std::string allowed,
-           std::string_view about) {
-    texts.push_back({std::string{name}, std::move(value), std::string{unit}, std::move(allowed), std::string{about}});
+  void show(const Item& item) override {
+    ParameterText text{std::string{item.name}, value_text(item), std::string{item.unit}, "", std::string{item.about}};
+    if (!std::holds_alternative<Text>(item.value)) text.allowed = "must be " + allowed_text(item);
+    if (std::holds_alternative<Whole>(item.value)) text.unit = "1";
+    if (const auto* number = std::get_if<OptionalNumber>(&item.value); number != nullptr && !number->value) {
+      text.value = number->without.meaning;
+      text.unit.clear();
+      text.is_set = false;
+    }
+    texts.push_back(std::move(text));
   }
 };
 
@@ -103,10 +89,10 @@ ModelText text_of(const Model& model) {
 }
 
 std::vector<ParameterText> parameters_of(const Model& model) {
-  Describer describer;
+  Lister lister;
   auto copy = model;
-  std::visit([&](auto& kind) { parameters(kind, describer); }, copy);
-  return describer.texts;
+  std::visit([&](auto& kind) { parameters(kind, lister); }, copy);
+  return lister.texts;
 }
 
 Table predict(const Model& model) {

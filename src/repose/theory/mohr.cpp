@@ -73,7 +73,7 @@ double coulomb_ratio(const Mohr& place) {
   return circle.radius == 0.0 && circle.centre >= 0.0 ? 0.0 : std::numeric_limits<double>::infinity();
 }
 
-void parameters(Mohr& place, ModelParameters& to) {
+void parameters(Mohr& place, Parameters& to) {
   constexpr Bounds stress{.low = -1e100, .high = 1e100};
   to.number("s_xx", place.s_xx, stress, "stress", "horizontal normal stress, compression positive");
   to.number("s_zz", place.s_zz, stress, "stress", "vertical normal stress, compression positive");

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/theory/model_parameters.hpp"
+#include "repose/theory/model_text.hpp"
 #include "repose/theory/table.hpp"
 
 #include <cstdint>
@@ -46,7 +46,7 @@ MohrCircle circle_of(const Mohr& place);
 /// pressure, or no friction); 0 without any stress.
 double coulomb_ratio(const Mohr& place);
 
-void parameters(Mohr& place, ModelParameters& to);
+void parameters(Mohr& place, Parameters& to);
 
 /// A table with the columns plane_deg (-90 to 90), normal and shear.
 Table evaluate(const Mohr& place);

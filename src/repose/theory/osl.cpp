@@ -186,16 +186,16 @@ Table table_of(const Osl& model, const Wedge& wedge) {
 
 }  // namespace
 
-void parameters(Osl& model, ModelParameters& to) {
+void parameters(Osl& model, Parameters& to) {
   to.choice("model", model.model, {"fpa", "bcc", "ife", "custom"},
             "closure: fixed principal axis, Bouchaud-Cates-Claudin, incipient failure everywhere, or given mu and eta");
   to.number("angle_deg", model.angle_deg, {.low = 0.0, .high = 90.0, .low_allowed = false, .high_allowed = false},
             "deg", "friction angle");
-  to.optional_number("slope_deg", model.slope_deg, "angle_deg",
+  to.optional_number("slope_deg", model.slope_deg, {"", "angle_deg"},
                      {.low = 0.0, .high = 90.0, .low_allowed = false, .high_allowed = false}, "deg",
                      "slope of the surface");
-  to.optional_number("mu", model.mu, "by model", {.low = -1e6, .high = 1e6}, "1", "mu of model = custom");
-  to.optional_number("eta", model.eta, "by yield of a surface at the friction angle",
+  to.optional_number("mu", model.mu, {"", "by model"}, {.low = -1e6, .high = 1e6}, "1", "mu of model = custom");
+  to.optional_number("eta", model.eta, {"", "by yield of a surface at the friction angle"},
                      {.low = 0.0, .high = 1e6, .low_allowed = false}, "1", "eta of model = custom");
   to.choice("output", model.output, {"base", "field"}, "stresses on the base, or in the whole pile");
   to.integer("points", model.points, {.low = 2, .high = 10'000'000}, "positions along the base, both feet included");

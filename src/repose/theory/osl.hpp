@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/theory/model_parameters.hpp"
+#include "repose/theory/model_text.hpp"
 #include "repose/theory/table.hpp"
 
 #include <cstdint>
@@ -33,7 +33,7 @@ struct Osl {
       .source = "Bratberg 2003, eqs (15) and (41)-(47); Wittmer, Cates and Claudin 1997"};
 };
 
-void parameters(Osl& model, ModelParameters& to);
+void parameters(Osl& model, Parameters& to);
 std::vector<std::string> relations(const Osl& model);
 
 /// A table of stresses. With output = base, its columns are x_over_b, normal, shear (positive to the right), horizontal

@@ -57,7 +57,7 @@ std::vector<PackingFact> packing_facts() {
   };
 }
 
-void parameters(Packing& packing, ModelParameters& to) {
+void parameters(Packing& packing, Parameters& to) {
   to.choice("dimension", packing.dimension, {"all", "2", "3"}, "discs, spheres, or both");
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/theory/model_parameters.hpp"
+#include "repose/theory/model_text.hpp"
 #include "repose/theory/table.hpp"
 
 #include <limits>
@@ -37,7 +37,7 @@ std::vector<PackingFact> packing_facts();
 /// friction, where each contact has d force components and each grain also balances torques.
 double isostatic_coordination(int dimension, bool friction);
 
-void parameters(Packing& packing, ModelParameters& to);
+void parameters(Packing& packing, Parameters& to);
 
 /// A table with the columns name, dimension, solid_fraction, error, coordination and source.
 Table evaluate(const Packing& packing);

@@ -37,7 +37,7 @@ BaseForce base_force(const PileContinuum& model, double x_over_b) {
   return {0.5 * (near_line + far_line), x_over_b <= 0.5 ? outward : 0.0 - outward};
 }
 
-void parameters(PileContinuum& model, ModelParameters& to) {
+void parameters(PileContinuum& model, Parameters& to) {
   to.number("slope_deg", model.slope_deg, {.low = 0.0, .high = 60.0, .low_allowed = false, .high_allowed = false},
             "deg", "slope of both flanks");
   to.integer("points", model.points, {.low = 2, .high = 10'000'000}, "positions along the base, both feet included");

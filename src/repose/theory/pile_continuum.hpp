@@ -3,7 +3,7 @@
 #pragma once
 
 #include "repose/theory/base_force.hpp"
-#include "repose/theory/model_parameters.hpp"
+#include "repose/theory/model_text.hpp"
 #include "repose/theory/table.hpp"
 
 #include <cstdint>
@@ -24,7 +24,7 @@ struct PileContinuum {
 /// Base force [chi g B] at x/B in [0, 1].
 BaseForce base_force(const PileContinuum& model, double x_over_b);
 
-void parameters(PileContinuum& model, ModelParameters& to);
+void parameters(PileContinuum& model, Parameters& to);
 
 /// A table with the columns x_over_b, normal and shear (chi g B), and the numbers weight, x_c, plateau_half_width and
 /// plateau_normal.

@@ -55,7 +55,7 @@ BaseForce base_force(const PileLattice& model, std::int64_t i) {
   return force_of_counts(discs_up_left(model, i), discs_up_left(model, model.base_count - 1 - i));
 }
 
-void parameters(PileLattice& model, ModelParameters& to) {
+void parameters(PileLattice& model, Parameters& to) {
   to.number("slope_deg", model.slope_deg, {.low = 0.0, .high = 60.0, .low_allowed = false}, "deg",
             "slope of both flanks");
   to.integer("base_count", model.base_count, {.low = 2, .high = 1'000'000}, "discs in the base row");

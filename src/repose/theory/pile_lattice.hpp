@@ -3,7 +3,7 @@
 #pragma once
 
 #include "repose/theory/base_force.hpp"
-#include "repose/theory/model_parameters.hpp"
+#include "repose/theory/model_text.hpp"
 #include "repose/theory/table.hpp"
 
 #include <cstdint>
@@ -30,7 +30,7 @@ std::int64_t discs_up_left(const PileLattice& model, std::int64_t i);
 /// The force of base disc i (counted from 0) on the ground, in weights of a disc.
 BaseForce base_force(const PileLattice& model, std::int64_t i);
 
-void parameters(PileLattice& model, ModelParameters& to);
+void parameters(PileLattice& model, Parameters& to);
 
 /// A table with the columns x_over_b (disc i of n at i/(n - 1)), normal and shear (m g), and the numbers discs and
 /// weight.

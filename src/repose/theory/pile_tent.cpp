@@ -68,7 +68,7 @@ BaseForce force_at(const Corners& corners, double x) {
 
 BaseForce base_force(const PileTent& model, double x_over_b) { return force_at(corners_of(model), x_over_b); }
 
-void parameters(PileTent& model, ModelParameters& to) {
+void parameters(PileTent& model, Parameters& to) {
   const Bounds slopes{.low = 0.0, .high = 60.0, .low_allowed = false, .high_allowed = false};
   to.number("lower_slope_deg", model.lower_slope_deg, slopes, "deg", "slope from the foot to the break");
   to.number("upper_slope_deg", model.upper_slope_deg, slopes, "deg", "slope from the break to the apex");

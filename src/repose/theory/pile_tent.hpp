@@ -3,7 +3,7 @@
 #pragma once
 
 #include "repose/theory/base_force.hpp"
-#include "repose/theory/model_parameters.hpp"
+#include "repose/theory/model_text.hpp"
 #include "repose/theory/table.hpp"
 
 #include <cstdint>
@@ -29,7 +29,7 @@ struct PileTent {
 /// Base force [chi g B] at x/B in [0, 1].
 BaseForce base_force(const PileTent& model, double x_over_b);
 
-void parameters(PileTent& model, ModelParameters& to);
+void parameters(PileTent& model, Parameters& to);
 
 /// A table with the columns x_over_b, normal and shear (chi g B), and the numbers weight, centre_normal, peak_normal,
 /// dip (0 or 1) and dip_depth.

@@ -90,7 +90,7 @@ double diffusive_stress(const PointLoad& model, double x_over_h) {
   return 0.5 * (near - far) / model.load_width;
 }
 
-void parameters(PointLoad& model, ModelParameters& to) {
+void parameters(PointLoad& model, Parameters& to) {
   to.number("load_width", model.load_width, {.low = 0.0, .high = 100.0}, "h",
             "width of the strip that carries the force; 0: a point");
   to.choice("floor", model.floor, {"none", "smooth-rigid", "rough-rigid"},

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/theory/model_parameters.hpp"
+#include "repose/theory/model_text.hpp"
 #include "repose/theory/table.hpp"
 
 #include <cstdint>
@@ -54,7 +54,7 @@ double osl_stress(const PointLoad& model, double x_over_h);
 /// The vertical stress [F/h] by diffusion: a Gaussian of variance diffusion/depth, averaged over load_width.
 double diffusive_stress(const PointLoad& model, double x_over_h);
 
-void parameters(PointLoad& model, ModelParameters& to);
+void parameters(PointLoad& model, Parameters& to);
 
 /// A table with the columns x_over_h, elastic, osl (not for a point load) and diffusive, and the numbers of the rays.
 Table evaluate(const PointLoad& model);

@@ -141,7 +141,7 @@ double mean_weight(const QModel& model, std::int64_t layer) {
   return start + static_cast<double>(layer * model.injection);
 }
 
-void parameters(QModel& model, ModelParameters& to) {
+void parameters(QModel& model, Parameters& to) {
   to.integer("width", model.width, {.low = 2, .high = 1'000'000}, "sites in a layer");
   to.integer("layers", model.layers, {.low = 1, .high = 1'000'000}, "number of layers below the first");
   to.integer("neighbours", model.neighbours, {.low = 2, .high = 100},

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/theory/model_parameters.hpp"
+#include "repose/theory/model_text.hpp"
 #include "repose/theory/table.hpp"
 
 #include <cstdint>
@@ -51,7 +51,7 @@ double shape_of(const QModel& model);
 /// The exact mean weight of a site in a layer.
 double mean_weight(const QModel& model, std::int64_t layer);
 
-void parameters(QModel& model, ModelParameters& to);
+void parameters(QModel& model, Parameters& to);
 std::vector<std::string> relations(const QModel& model);
 
 /// A table. With output = distribution, its columns are weight, density, density_error, exact and exact_in_bin for the

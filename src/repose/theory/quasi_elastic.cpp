@@ -6,7 +6,7 @@ namespace repose::theory {
 
 double stress_ratio(const QuasiElastic& matter) { return matter.poisson_ratio / (1.0 - matter.poisson_ratio) + 0.0; }
 
-void parameters(QuasiElastic& matter, ModelParameters& to) {
+void parameters(QuasiElastic& matter, Parameters& to) {
   to.number("poisson_ratio", matter.poisson_ratio, {.low = -1.0, .high = 0.5, .low_allowed = false}, "1",
             "Poisson's ratio of the bulk, nu");
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/theory/model_parameters.hpp"
+#include "repose/theory/model_text.hpp"
 #include "repose/theory/table.hpp"
 
 namespace repose::theory {
@@ -21,7 +21,7 @@ struct QuasiElastic {
 /// K = nu/(1 - nu), from -1/2 to 1; negative if the walls would have to pull.
 double stress_ratio(const QuasiElastic& matter);
 
-void parameters(QuasiElastic& matter, ModelParameters& to);
+void parameters(QuasiElastic& matter, Parameters& to);
 
 /// A table of one row with the columns poisson_ratio and stress_ratio.
 Table evaluate(const QuasiElastic& matter);

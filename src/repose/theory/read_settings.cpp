@@ -3,6 +3,7 @@
 #include "repose/theory/read_settings.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -21,88 +22,84 @@ bool read_all(const std::string& text, T& value) {
   return result.ec == std::errc{} && result.ptr == end;
 }
 
-std::string with_unit(const Bounds& bounds, std::string_view unit) {
-  return unit.empty() || unit == "1" ? bounds.text() : fmt::format("{} ({})", bounds.text(), unit);
+/// "must be > 0 and < 60 (deg)".
+std::string must_be(const Parameters::Item& item) {
+  const bool with_unit = !item.unit.empty() && item.unit != "1";
+  return fmt::format("must be {}{}", allowed_text(item), with_unit ? fmt::format(" ({})", item.unit) : "");
 }
 
 }  // namespace
 
 SettingsReader::SettingsReader(const std::vector<std::pair<std::string, std::string>>& settings) {
   for (const auto& [name, value] : settings) {
-    if (!settings_.emplace(name, value).second) complain(name, value, "is set twice");
+    if (!settings_.emplace(name, value).second) problems_.push_back(fmt::format("{} = {}: is set twice", name, value));
   }
 }
 
-const std::string* SettingsReader::take(std::string_view name) {
-  known_.emplace(name);
-  const auto found = settings_.find(name);
-  return found == settings_.end() ? nullptr : &found->second;
+void SettingsReader::show(const Item& item) {
+  known_.emplace(item.name);
+  const auto found = settings_.find(item.name);
+  if (found == settings_.end()) return missing(item);
+  std::visit([&](const auto& kind) { read(item, found->second, kind); }, item.value);
 }
 
-void SettingsReader::complain(std::string_view name, const std::string& written, const std::string& what) {
-  problems_.push_back(fmt::format("{} = {}: {}", name, written, what));
+void SettingsReader::missing(const Item& item) {
+  if (const auto* number = std::get_if<Number>(&item.value); number != nullptr && std::isnan(number->value)) {
+    problems_.push_back(fmt::format("{}: must be given: {}; {}", item.name, item.about, must_be(item)));
+  }
+  if (const auto* text = std::get_if<Text>(&item.value); text != nullptr && text->value.empty()) {
+    problems_.push_back(fmt::format("{}: must be given: {}", item.name, item.about));
+  }
 }
 
-void SettingsReader::read(std::string_view name, const std::string& written, double& value, const Bounds& bounds,
-                          std::string_view unit) {
-  double number = 0.0;
-  if (!read_all(written, number) || std::isnan(number)) {
-    complain(name, written, fmt::format("is not a number; {}", with_unit(bounds, unit)));
-  } else if (!bounds.holds(number) || (std::isinf(number) && !bounds.infinite_allowed)) {
-    complain(name, written, with_unit(bounds, unit));
+void SettingsReader::complain(const Item& item, const std::string& written, const std::string& what) {
+  problems_.push_back(fmt::format("{} = {}: {}", item.name, written, what));
+}
+
+void SettingsReader::read(const Item& item, const std::string& written, const Number& number) {
+  double value = 0.0;
+  if (!read_all(written, value) || std::isnan(value)) {
+    complain(item, written, "is not a number; " + must_be(item));
+  } else if (!number.bounds.hold(value)) {
+    complain(item, written, must_be(item));
   } else {
-    value = number;
+    number.value = value;
   }
 }
 
-void SettingsReader::number(std::string_view name, double& value, const Bounds& bounds, std::string_view unit,
-                            std::string_view about) {
-  if (const auto* written = take(name)) {
-    read(name, *written, value, bounds, unit);
-  } else if (std::isnan(value)) {
-    problems_.push_back(fmt::format("{}: must be given: {}; {}", name, about, with_unit(bounds, unit)));
-  }
+void SettingsReader::read(const Item& item, const std::string& written, const OptionalNumber& number) {
+  read(item, written, Number{number.value.emplace(), required, number.bounds});
 }
 
-void SettingsReader::optional_number(std::string_view name, std::optional<double>& value,
-                                     std::string_view /*otherwise*/, const Bounds& bounds, std::string_view unit,
-                                     std::string_view /*about*/) {
-  if (const auto* written = take(name)) read(name, *written, value.emplace(), bounds, unit);
-}
-
-void SettingsReader::integer(std::string_view name, std::int64_t& value, const WholeBounds& bounds,
-                             std::string_view /*about*/) {
-  const auto* written = take(name);
-  if (written == nullptr) return;
-  std::int64_t number = 0;
-  if (!read_all(*written, number)) {
-    complain(name, *written, fmt::format("is not a whole number; {}", bounds.text()));
-  } else if (number < bounds.low || number > bounds.high) {
-    complain(name, *written, bounds.text());
+void SettingsReader::read(const Item& item, const std::string& written, const Whole& whole) {
+  std::int64_t value = 0;
+  if (!read_all(written, value)) {
+    complain(item, written, "is not a whole number; " + must_be(item));
+  } else if (!whole.bounds.hold(value)) {
+    complain(item, written, must_be(item));
   } else {
-    value = number;
+    whole.value = value;
   }
 }
 
-void SettingsReader::choice(std::string_view name, std::string& value, const std::vector<std::string>& words,
-                            std::string_view /*about*/) {
-  const auto* written = take(name);
-  if (written == nullptr) return;
-  if (std::ranges::find(words, *written) == words.end()) {
-    complain(name, *written, fmt::format("must be {}", fmt::join(words, " | ")));
-  } else {
-    value = *written;
-  }
+void SettingsReader::read(const Item& item, const std::string& written, const Choice& choice) {
+  const auto known = std::ranges::any_of(choice.words, [&](const auto& word) { return word.name == written; });
+  if (!known) return complain(item, written, must_be(item));
+  choice.value = written;
 }
 
-void SettingsReader::text(std::string_view name, std::string& value, std::string_view about) {
-  if (const auto* written = take(name)) value = *written;
-  if (value.empty()) problems_.push_back(fmt::format("{}: must be given: {}", name, about));
+void SettingsReader::read(const Item& item, const std::string& written, const Text& text) {
+  if (written.empty()) return missing(item);
+  text.value = written;
+}
+
+std::string problem_of(std::string_view model, std::string_view problem) {
+  return fmt::format("{}: {}", model, problem);
 }
 
 std::vector<std::string> SettingsReader::problems(std::string_view model) const {
   std::vector<std::string> all;
-  for (const auto& problem : problems_) all.push_back(fmt::format("{}: {}", model, problem));
+  for (const auto& problem : problems_) all.push_back(problem_of(model, problem));
   for (const auto& [name, value] : settings_) {
     if (!known_.contains(name)) {
       all.push_back(fmt::format("{}: {}: no such parameter; must be {}", model, name, fmt::join(known_, " | ")));

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "repose/core/errors.hpp"
-#include "repose/theory/model_parameters.hpp"
+#include "repose/core/parameters.hpp"
 
 #include <map>
 #include <set>
@@ -13,33 +13,36 @@
 
 namespace repose::theory {
 
-/// Reads settings into the parameters of a model, and gathers what is wrong with them.
-class SettingsReader : public ModelParameters {
+/// Reads settings into the parameters of a model and gathers what is wrong with them.
+class SettingsReader final : public Parameters {
  public:
   explicit SettingsReader(const std::vector<std::pair<std::string, std::string>>& settings);
-
-  void number(std::string_view name, double& value, const Bounds& bounds, std::string_view unit,
-              std::string_view about) override;
-  void optional_number(std::string_view name, std::optional<double>& value, std::string_view otherwise,
-                       const Bounds& bounds, std::string_view unit, std::string_view about) override;
-  void integer(std::string_view name, std::int64_t& value, const WholeBounds& bounds, std::string_view about) override;
-  void choice(std::string_view name, std::string& value, const std::vector<std::string>& words,
-              std::string_view about) override;
-  void text(std::string_view name, std::string& value, std::string_view about) override;
 
   /// What is wrong, after all parameters were shown; a setting that no parameter took is unknown to `model`.
   std::vector<std::string> problems(std::string_view model) const;
 
  private:
-  const std::string* take(std::string_view name);
-  void complain(std::string_view name, const std::string& written, const std::string& what);
-  void read(std::string_view name, const std::string& written, double& value, const Bounds& bounds,
-            std::string_view unit);
+  void show(const Item& item) override;
+  void missing(const Item& item);
+  void complain(const Item& item, const std::string& written, const std::string& what);
+
+  void read(const Item& item, const std::string& written, const Number& number);
+  void read(const Item& item, const std::string& written, const OptionalNumber& number);
+  void read(const Item& item, const std::string& written, const Whole& whole);
+  void read(const Item& item, const std::string& written, const Choice& choice);
+  void read(const Item& item, const std::string& written, const Text& text);
+  template <class Other>
+  void read(const Item& item, const std::string& written, const Other&) {
+    complain(item, written, "cannot be set by a word or a number");
+  }
 
   std::map<std::string, std::string, std::less<>> settings_;
   std::set<std::string, std::less<>> known_;
   std::vector<std::string> problems_;
 };
+
+/// "MODEL: PROBLEM", as a message lists it.
+std::string problem_of(std::string_view model, std::string_view problem);
 
 /// Throws InputError with a line for every problem. What parameters must obey together is asked of
 /// `relations(model)`, a list of problems, where the model has one and each parameter is right by itself.
@@ -50,7 +53,7 @@ void read_settings(M& model, const std::vector<std::pair<std::string, std::strin
   auto problems = reader.problems(M::text.name);
   if constexpr (requires { relations(model); }) {
     if (problems.empty()) {
-      for (const auto& problem : relations(model)) problems.push_back(std::string{M::text.name} + ": " + problem);
+      for (const auto& problem : relations(model)) problems.push_back(problem_of(M::text.name, problem));
     }
   }
   if (!problems.empty()) throw InputError(problems);

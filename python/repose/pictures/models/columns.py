@@ -78,14 +78,14 @@ def draw_fit(prediction):
     # Janssen's law of the screening length lambda_2, scaled to saturate as lambda_1 says.
     per_height = float(settings["mass_per_height"]) * prediction["lambda_1"] / prediction["lambda_2"]
     heights, law = _janssen(1.03 * height.max(), per_height, 0.5 / prediction["lambda_2"], settings["direction"])
-    look = {"fmt": "o", "markersize": 3.5, "color": style.BLUE, "elinewidth": 0.8, "zorder": 3}
-    upper.errorbar(height, mass, yerr=error, label="data", **look)
+    drawing = {"fmt": "o", "markersize": 3.5, "color": style.BLUE, "elinewidth": 0.8, "zorder": 3}
+    upper.errorbar(height, mass, yerr=error, label="data", **drawing)
     upper.plot(heights, law, color=style.ORANGE, linewidth=1.2, label=_lengths(prediction))
     upper.set_ylim(min(0.0, 1.05 * mass.min()), 1.08 * max(mass.max(), law.max()))
     upper.set_ylabel("apparent mass (M)")
     upper.legend(loc="lower right" if at_rest else "upper left", borderaxespad=0.8)
     lower.axhline(0.0, color=style.ORANGE, linewidth=1.0)
-    lower.errorbar(height, prediction["residual"], yerr=error, **look)
+    lower.errorbar(height, prediction["residual"], yerr=error, **drawing)
     lower.set_ylabel("residual (M)")
     lower.set_xlabel("height (L)")
     lower.set_xlim(0.0, heights[-1])

@@ -88,9 +88,9 @@ def _field(prediction):
         bar.outline.set_linewidth(0.4)
         kink = prediction["s_inner"]
         if np.isfinite(kink):
-            look = dict(color=style.GREY, linewidth=0.6, linestyle=(0, (4, 3)))
+            drawing = dict(color=style.GREY, linewidth=0.6, linestyle=(0, (4, 3)))
             for side in (-1.0, 1.0):
-                axes.plot([0.0, side * kink * foot], [0.0, -1.0], **look)
+                axes.plot([0.0, side * kink * foot], [0.0, -1.0], **drawing)
     _crosses(panels[0], prediction)
     panels[-1].set_xlabel("x / h")
     dashed = "; dashed: the kink" if np.isfinite(prediction["s_inner"]) else ""

@@ -20,8 +20,8 @@ def draw(prediction):
 
 
 def _points(axes, x, y, error):
-    look = dict(fmt="o", markersize=2.2, linewidth=0.7, color=style.BLUE, markeredgewidth=0)
-    axes.errorbar(x, y, error, label="simulation ± standard error", **look)
+    drawing = dict(fmt="o", markersize=2.2, linewidth=0.7, color=style.BLUE, markeredgewidth=0)
+    axes.errorbar(x, y, error, label="simulation ± standard error", **drawing)
 
 
 def _distribution(axes, prediction):

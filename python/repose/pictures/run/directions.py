@@ -26,11 +26,11 @@ def draw(run, state):
     axes.bar(np.radians(both), density, width=width, color=style.GRAIN, edgecolor="white", linewidth=0.3)
     axes.errorbar(np.radians(both), density, yerr=error, fmt="none", ecolor=style.GREY, elinewidth=0.6)
     angle = np.radians(np.linspace(0.0, 360.0, 721))
-    for count, colour, look in ((1, style.ORANGE, "--"), (len(harmonics["order"]), style.BLUE, "-")):
+    for count, colour, drawing in ((1, style.ORANGE, "--"), (len(harmonics["order"]), style.BLUE, "-")):
         series = expansion(angle, harmonics, count)
         orders = ", ".join(str(order) for order in harmonics["order"][:count])
         label = f"harmonic{'s' if count > 1 else ''} {orders}"
-        axes.plot(angle, np.maximum(series, 0.0), color=colour, linewidth=1.1, linestyle=look, label=label)
+        axes.plot(angle, np.maximum(series, 0.0), color=colour, linewidth=1.1, linestyle=drawing, label=label)
     axes.set_ylim(0.0, 1.05 * max(density.max(), 1.0))
     axes.set_thetagrids(range(0, 360, 30), [f"{k if k <= 180 else k - 360}°" for k in range(0, 360, 30)])
     axes.set_rlabel_position(75.0)

@@ -22,7 +22,7 @@ _CIRCLE_CODES = np.array([Path.MOVETO] + [Path.CURVE4] * 12 + [Path.CLOSEPOLY], 
 _LINE_CODES = np.array([Path.MOVETO, Path.LINETO], dtype=Path.code_type)
 
 
-def _add_shapes(axes, shapes, codes, **look):
+def _add_shapes(axes, shapes, codes, **drawing):
     """Adds shapes (K, points, 2) [L] of one colour and line width."""
     paths = []
     for start in range(0, len(shapes), SHAPES_PER_PATH):
@@ -30,10 +30,10 @@ def _add_shapes(axes, shapes, codes, **look):
         path = Path(part.reshape(-1, 2), np.tile(codes, len(part)))
         path.should_simplify = False
         paths.append(path)
-    axes.add_collection(PathCollection(paths, sizes=None, **look), autolim=False)
+    axes.add_collection(PathCollection(paths, sizes=None, **drawing), autolim=False)
 
 
-def add_discs(panel, run, state, chosen, **look):
+def add_discs(panel, run, state, chosen, **drawing):
     """Discs of the chosen grains (N, bool) that the panel shows, with their images at a periodic side."""
     centre = wrapped(run, state.grains.position)[chosen]
     radius = state.grains.radius[chosen]
@@ -42,19 +42,19 @@ def add_discs(panel, run, state, chosen, **look):
         centre = np.concatenate([centre, centre - period, centre + period])
         radius = np.tile(radius, 3)
     seen = panel.box.near(centre, radius)
-    _add_shapes(panel.axes, centre[seen, None] + radius[seen, None, None] * _CIRCLE, _CIRCLE_CODES, **look)
+    _add_shapes(panel.axes, centre[seen, None] + radius[seen, None, None] * _CIRCLE, _CIRCLE_CODES, **drawing)
 
 
 def add_lines(panel, lines, width, colour):
     """Lines (K, 2, 2) [L] of one width [points]."""
     seen = panel.box.near(lines, 0.0).any(axis=1)
-    look = dict(facecolor="none", edgecolor=colour, linewidth=width, capstyle="round")
-    _add_shapes(panel.axes, lines[seen], _LINE_CODES, **look)
+    drawing = dict(facecolor="none", edgecolor=colour, linewidth=width, capstyle="round")
+    _add_shapes(panel.axes, lines[seen], _LINE_CODES, **drawing)
 
 
-def add_cells(panel, run, cells, **look):
-    """Polygons, (points, 2) [L] each, coloured by the `array` in `look`, with their images at a periodic side."""
-    array = look.pop("array", None)
+def add_cells(panel, run, cells, **drawing):
+    """Polygons, (points, 2) [L] each, coloured by the `array` in `drawing`, with their images at a periodic side."""
+    array = drawing.pop("array", None)
     drawn, cell_of = [], []
     period = run.attributes["x_max"] - run.attributes["x_min"] if run.attributes["periodic"] else 0.0
     for k, cell in enumerate(cells):
@@ -64,7 +64,7 @@ def add_cells(panel, run, cells, **look):
             if panel.box.near(placed, 0.0).any():
                 drawn.append(placed)
                 cell_of.append(k)
-    collection = PolyCollection(drawn, **look)
+    collection = PolyCollection(drawn, **drawing)
     if array is not None:
         collection.set_array(array[cell_of])
     panel.axes.add_collection(collection, autolim=False)

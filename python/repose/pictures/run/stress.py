@@ -41,8 +41,8 @@ def draw(run, state):
     lower.axes.add_collection(LineCollection(bars, colors=style.INK, linewidths=width), autolim=False)
     for panel in (upper, lower):
         add_walls(panel, run, state)
-        look = dict(facecolor=style.HELD, edgecolor="white", linewidth=0.25, zorder=2.5)
-        add_discs(panel, run, state, state.grains.held, **look)
+        drawing = dict(facecolor=style.HELD, edgecolor="white", linewidth=0.25, zorder=2.5)
+        add_discs(panel, run, state, state.grains.held, **drawing)
     units = style.units_of(run)
     upper.axes.set_xlabel("")
     title = f"solid fraction, Gaussian of width {units.length_value(table.attributes['width'])}"

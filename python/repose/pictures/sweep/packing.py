@@ -89,5 +89,5 @@ def _points(axes, place, place_error, measure, rows, k, name):
     errors = dict(yerr=np.nan_to_num(measure["error"][rows]))
     if place_error is not None:
         errors["xerr"] = np.nan_to_num(place_error[rows])
-    look = dict(fmt=marker, color=colour, markersize=2.2 if len(rows) > MANY else 4.0, elinewidth=0.7)
-    return axes.errorbar(place[rows], measure["mean"][rows], label=name, **look, **errors)[0]
+    drawing = dict(fmt=marker, color=colour, markersize=2.2 if len(rows) > MANY else 4.0, elinewidth=0.7)
+    return axes.errorbar(place[rows], measure["mean"][rows], label=name, **drawing, **errors)[0]

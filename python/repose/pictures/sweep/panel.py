@@ -32,16 +32,16 @@ def draw_means(axes, axis, mean, error, place=None, values=None):
     """Means (P) with their errors; with `values` (K) of the members also faint dots, at the points `place` (K)."""
     for k, line in enumerate(axis.lines):
         colour, marker = style.SERIES[k % len(style.SERIES)], style.MARKERS[k % len(style.MARKERS)]
-        look = dict(color=colour, marker=marker, markersize=4, elinewidth=1.0, capsize=2, label=line.name)
+        drawing = dict(color=colour, marker=marker, markersize=4, elinewidth=1.0, capsize=2, label=line.name)
         at, height, bar = axis.place[line.rows], mean[line.rows], np.nan_to_num(error[line.rows])
         if values is not None:
             own = np.isin(place, line.rows)
             dots = _in_order_of_axes(axis, axis.place[place[own]], values[own])
             axes.plot(*dots, "o", color=colour, markersize=2.4, alpha=0.3, markeredgewidth=0, zorder=1.5)
         if axis.key is None:
-            axes.errorbar(height, at, xerr=bar, linestyle="none", **look)
+            axes.errorbar(height, at, xerr=bar, linestyle="none", **drawing)
         else:
-            axes.errorbar(at, height, yerr=bar, linewidth=0.7, **look)
+            axes.errorbar(at, height, yerr=bar, linewidth=0.7, **drawing)
 
 
 def label_axes(axes, axis, sweep, value_label, names=True):

@@ -47,9 +47,9 @@ def _figure(sweep, points, limits):
     edge = (LABEL[0] / size[0], LABEL[1] / size[1])
     style.fit(figure, (*edge, 1.0, 1.0 - TOP / size[1]), h_pad=0.6, w_pad=0.6)
     middle = (0.5 * (edge[0] + 1.0), 0.5 * (edge[1] + 1.0 - TOP / size[1]))
-    look = dict(fontsize=8, color=style.INK, ha="center", va="center")
-    figure.text(middle[0], 0.7 * edge[1], style.units_of(sweep).length("x"), **look)
-    figure.text(0.5 * edge[0], middle[1], "force on a base grain\n(grain weights)", rotation=90, **look)
+    drawing = dict(fontsize=8, color=style.INK, ha="center", va="center")
+    figure.text(middle[0], 0.7 * edge[1], style.units_of(sweep).length("x"), **drawing)
+    figure.text(0.5 * edge[0], middle[1], "force on a base grain\n(grain weights)", rotation=90, **drawing)
     widths = {profile.binned.attributes["bin_width"] for profile in (sweep.profiles[k] for k in points)}
     width = f" in bins of {style.units_of(sweep).length_value(widths.pop())}" if len(widths) == 1 else ""
     style.caption(figure, f"lines: mean over the members{width} ± standard error; dots: single base grains")

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/reproducible_math.hpp"
 #include "repose/laws/normal/damping.hpp"
 #include "repose/laws/scales.hpp"
 #include "repose/laws/touch.hpp"
@@ -63,7 +64,8 @@ REPOSE_FN double reach(const Continuous& law) { return law.cutoff; }
 
 REPOSE_FN NormalForce<double> normal_force(const Continuous& law, const Touch<double>& touch) {
   const double x = touch.diameter * touch.inverse_distance;
-  const double power = law.whole_exponent != 0 ? whole_power(x, law.whole_exponent) : std::pow(x, law.exponent + 1.0);
+  const double power =
+      law.whole_exponent != 0 ? whole_power(x, law.whole_exponent) : reproducible::pow(x, law.exponent + 1.0);
   const double elastic = touch.mass * law.gravity * power;
   const double stiffness = (law.exponent + 1.0) * elastic * touch.inverse_distance;
   return {elastic, without_attraction(law.attraction, elastic + dashpot(law, touch, stiffness) * touch.closing_speed),
@@ -73,14 +75,14 @@ REPOSE_FN NormalForce<double> normal_force(const Continuous& law, const Touch<do
 /// Energy [M L^2/T^2] stored in a pair with mean diameter `diameter` at `distance`; 0 at the cutoff.
 inline double elastic_energy(const Continuous& law, double mass, double diameter, double distance) {
   const double scale = mass * law.gravity * diameter / law.exponent;
-  return scale * (std::pow(diameter / distance, law.exponent) - std::pow(law.cutoff, -law.exponent));
+  return scale * (reproducible::pow(diameter / distance, law.exponent) - reproducible::pow(law.cutoff, -law.exponent));
 }
 
 /// Stiffness -dF/dr [M/T^2] at the distance where the pair stores `energy`.
 inline double stiffness_at(const Continuous& law, double mass, double diameter, double energy) {
   const double scale = mass * law.gravity * diameter / law.exponent;
-  const double x = std::pow(energy / scale + std::pow(law.cutoff, -law.exponent), 1.0 / law.exponent);
-  return (law.exponent + 1.0) * mass * law.gravity * std::pow(x, law.exponent + 2.0) / diameter;
+  const double x = reproducible::pow(energy / scale + reproducible::pow(law.cutoff, -law.exponent), 1.0 / law.exponent);
+  return (law.exponent + 1.0) * mass * law.gravity * reproducible::pow(x, law.exponent + 2.0) / diameter;
 }
 
 }  // namespace repose

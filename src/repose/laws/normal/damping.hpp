@@ -37,7 +37,7 @@ REPOSE_FN double dashpot(const Law& law, const Touch<double>& touch, double stif
 /// The parameters of the dashpot. If a restitution is given, `with_restitution` (impact.hpp) sets law.damping later.
 template <class Law>
 void damping_parameters(Law& law, Parameters& parameters, const LawScales& scales) {
-  auto way = static_cast<std::size_t>(law.damping_kind);
+  auto given_as = static_cast<std::size_t>(law.damping_kind);
   double given = law.damping_kind == DampingKind::restitution ? law.restitution : law.damping;
   parameters.one_of({{"damping", not_negative, "", "fraction of the critical damping of a grain against a fixed one"},
                      {"restitution",
@@ -45,13 +45,14 @@ void damping_parameters(Law& law, Parameters& parameters, const LawScales& scale
                       "",
                       "speed after a head-on impact over speed before, for all sizes and partners"},
                      {"viscosity", not_negative, "1/T", "dashpot coefficient over reduced mass"}},
-                    way, given, 0.5);
-  law.damping_kind = static_cast<DampingKind>(way);
+                    given_as, given, 0.5);
+  law.damping_kind = static_cast<DampingKind>(given_as);
   if (law.damping_kind == DampingKind::restitution) {
     law.restitution = given;
     if constexpr (Law::restitution_depends_on_speed) {
-      parameters.number("impact_speed", law.impact_speed, std::sqrt(2.0 * scales.gravity * scales.diameter), positive,
-                        "L/T", "speed of the impact that has this restitution");
+      parameters.number("impact_speed", law.impact_speed,
+                        {std::sqrt(2.0 * scales.gravity * scales.diameter), "sqrt(2 g d)"}, positive, "L/T",
+                        "speed of the impact that has this restitution");
     }
   } else {
     law.damping = given;

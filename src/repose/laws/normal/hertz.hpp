@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/reproducible_math.hpp"
 #include "repose/laws/normal/damping.hpp"
 #include "repose/laws/scales.hpp"
 #include "repose/laws/touch.hpp"
@@ -26,7 +27,8 @@ struct Hertz {
 };
 
 inline void parameters(Hertz& law, Parameters& to, const LawScales& scales) {
-  to.number("stiffness", law.stiffness, 5000.0 * scales.weight / std::pow(scales.diameter, 1.5), positive,
+  to.number("stiffness", law.stiffness,
+            {5000.0 * scales.weight / reproducible::pow(scales.diameter, 1.5), "5000 m g/d^(3/2)"}, positive,
             "M/(L^(1/2) T^2)", "k of F = k overlap^(3/2)");
   damping_parameters(law, to, scales);
 }
@@ -49,7 +51,7 @@ inline double elastic_energy(const Hertz& law, double /*mass*/, double diameter,
 
 /// Stiffness -dF/dr [M/T^2] at the distance where the pair stores `energy`.
 inline double stiffness_at(const Hertz& law, double /*mass*/, double /*diameter*/, double energy) {
-  return 1.5 * law.stiffness * std::pow(energy / (0.4 * law.stiffness), 0.2);
+  return 1.5 * law.stiffness * reproducible::pow(energy / (0.4 * law.stiffness), 0.2);
 }
 
 }  // namespace repose

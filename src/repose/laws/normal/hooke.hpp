@@ -25,7 +25,7 @@ struct Hooke {
 };
 
 inline void parameters(Hooke& law, Parameters& to, const LawScales& scales) {
-  to.number("stiffness", law.stiffness, 500.0 * scales.weight / scales.diameter, positive, "M/T^2",
+  to.number("stiffness", law.stiffness, {500.0 * scales.weight / scales.diameter, "500 m g/d"}, positive, "M/T^2",
             "spring constant k");
   damping_parameters(law, to, scales);
 }

@@ -27,7 +27,7 @@ struct RollingSpring {
 
 inline void parameters(RollingSpring& law, Parameters& to, const LawScales& scales) {
   to.number("friction", law.friction, required, not_negative, "", "mu_r: the torque is at most mu_r R N");
-  to.number("stiffness", law.stiffness, 100.0 * scales.weight / scales.diameter, positive, "M/T^2",
+  to.number("stiffness", law.stiffness, {100.0 * scales.weight / scales.diameter, "100 m g/d"}, positive, "M/T^2",
             "torque over R per rolled length");
   to.number("damping", law.damping, 0.3, not_negative, "", "fraction of critical damping");
 }

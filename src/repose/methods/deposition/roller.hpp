@@ -3,6 +3,7 @@
 #pragma once
 
 #include "repose/core/inline.hpp"
+#include "repose/core/reproducible_math.hpp"
 #include "repose/methods/deposition/settings.hpp"
 
 #include <cmath>
@@ -127,7 +128,7 @@ class Roller {
         search_(search),
         least_upright_(settings.critical_angle_deg >= 90.0
                            ? 0.0
-                           : std::cos(settings.critical_angle_deg * std::numbers::pi / 180.0)) {}
+                           : reproducible::cos(settings.critical_angle_deg * std::numbers::pi / 180.0)) {}
 
   /// The final position of a disc dropped at x; none if it falls without end or does not come to rest.
   std::optional<Rest> drop(double x, double radius) const {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/methods/soft/soft.hpp"
 
+#include "repose/methods/soft/kernels.hpp"
+
 #include <algorithm>
 #include <optional>
 
@@ -30,7 +32,7 @@ std::unique_ptr<Method<D>> make_fused(const MaterialLaws& laws, const SoftSettin
   std::unique_ptr<Method<D>> made;
   const auto attempt = [&](auto&& found) {
     using Law = std::decay_t<decltype(found->first())>;
-    if (!made && found) made = std::make_unique<Soft<D, Law>>(*found, settings);
+    if (!made && found) made = make_kernel<D, Law>(*found, settings);
   };
   (attempt(fused<decltype(Laws::normal), decltype(Laws::tangential)>(laws)), ...);
   return made;
@@ -41,13 +43,12 @@ std::unique_ptr<Method<D>> make_fused(const MaterialLaws& laws, const SoftSettin
 template <int D>
 std::unique_ptr<Method<D>> make_soft(const MaterialLaws& laws, const SoftSettings<D>& settings) {
   if (!settings.audit && !settings.reference) {
-    auto made = make_fused<D, PairLaw<Hooke, Linear>, PairLaw<Hertz, Mindlin>, PairLaw<Continuous, Cumulative>,
-                           PairLaw<Hooke, Cumulative>>(laws, settings);
+    auto made = make_fused<D, HookeLinear, HertzMindlin, ContinuousCumulative, HookeCumulative>(laws, settings);
     if (made) return made;
   }
   std::vector<AnyPairLaw> table;
   for (const auto& pair : laws.table) table.push_back(any_pair_law(pair));
-  return std::make_unique<Soft<D, AnyPairLaw>>(MaterialTable<AnyPairLaw>(std::move(table), laws.materials), settings);
+  return make_kernel<D, AnyPairLaw>(MaterialTable<AnyPairLaw>(std::move(table), laws.materials), settings);
 }
 
 template std::unique_ptr<Method<2>> make_soft(const MaterialLaws&, const SoftSettings<2>&);

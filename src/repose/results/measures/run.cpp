@@ -37,7 +37,7 @@ void add_run(Registry& to) {
   add(measure("title", "", "of the scene", scene(&Scene::title)));
   add(measure("repose_version", "", "of the program", [](const Measured&) { return std::string(version); }));
   add(measure("method", "", "`method.kind` of the scene",
-              [](const Measured& run) { return run.record.scene.method.kind; }));
+              [](const Measured& run) { return std::string(run.record.scene.method->name()); }));
   add(of_run(measure("seed", "", "of everything random", scene(&Scene::seed))));
   add(measure("status", "", "\"running\", \"finished\", \"interrupted\" or \"failed\"",
               [](const Measured& run) { return status_text(run.record.facts.status); }));

@@ -26,16 +26,21 @@ void add_solver(Registry& to) {
   add(measure("solver.worst_residual", "g dt", "worst residual velocity of a contact",
               account(&SolverAccount::worst_residual)));
   add(measure("solver.tolerance", "g dt", "`method.tolerance` of the scene",
-              [](const Measured& run) { return run.record.scene.method.tolerance; }));
+              [](const Measured& run) -> std::optional<double> {
+                const auto* solver = run.record.scene.method->solver();
+                if (solver == nullptr) return std::nullopt;
+                return solver->tolerance;
+              }));
   add(measure("solver.creep_rate", "L/T", "median speed of the grains that touch something, at the last observation",
               [](const Measured& run) -> std::optional<double> {
                 if (run.record.series.empty()) return std::nullopt;
                 return run.record.series.back().creep_rate;
               }));
-  add(only_where([](const Measured& run) { return has(run.record.scene, Needs::deposition); },
-                 measure(
-                     "critical_angle", "deg", "`method.critical_angle` of the scene",
-                     [](const Measured& run) { return run.record.scene.method.critical_angle; }, Needs::deposition)));
+  add(only_where(
+      [](const Measured& run) { return has(run.record.scene, Needs::deposition); },
+      measure(
+          "critical_angle", "deg", "`method.critical_angle` of the scene",
+          [](const Measured& run) { return run.record.scene.method->sticking_angle(); }, Needs::deposition)));
 }
 
 }  // namespace repose

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/simulation/sources/draw.hpp"
 
-#include <cmath>
-
 namespace repose {
 
 GrainDraw::GrainDraw(const Scene& scene, Purpose species, Purpose size)
@@ -19,10 +17,10 @@ GrainDraw::GrainDraw(const Scene& scene, Purpose species, Purpose size)
   }
   double sum = 0.0;
   for (const auto& one : scene.species) {
-    const auto sizes = one.sizes.distribution();
+    const auto sizes = one.sizes->distribution();
     const double mass = scene.mass_of(d, one.material);
     // The share by number is the share by mass over the mean mass.
-    sum += scene.grains.shares == "mass" ? one.share / (mass * sizes.mean_square() / (d * d)) : one.share;
+    sum += scene.grains.fractions_by == "mass" ? one.fraction / (mass * sizes.mean_square() / (d * d)) : one.fraction;
     kinds_.push_back({sizes, scene.material_number(one.material), mass, sum});
   }
   for (auto& kind : kinds_) kind.below /= sum;
@@ -40,7 +38,8 @@ DrawnGrain GrainDraw::operator()(std::uint64_t index) const {
   DrawnGrain drawn;
   drawn.material = kind.material;
   drawn.grain.radius = 0.5 * diameter;
-  drawn.grain.mass = kind.mass * std::pow(diameter / diameter_, 2);
+  const double size = diameter / diameter_;
+  drawn.grain.mass = kind.mass * (size * size);
   drawn.grain.inverse_mass = 1.0 / drawn.grain.mass;
   return drawn;
 }

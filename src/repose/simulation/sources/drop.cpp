@@ -4,6 +4,7 @@
 
 #include "repose/laws/any_law.hpp"
 #include "repose/scene/geometry.hpp"
+#include "repose/simulation/sources/pour.hpp"
 #include "repose/simulation/sources/room.hpp"
 
 #include <fmt/format.h>
@@ -14,9 +15,13 @@
 
 namespace repose {
 
-Drop::Drop(const Scene& scene, const TimeSteps& steps, std::int64_t first_id)
-    : scene_(scene), steps_(steps), first_id_(first_id), draw_(scene, Purpose::grain_species, Purpose::grain_size) {
-  if (scene_.method.rigid()) return;
+Drop::Drop(const Scene& scene, const DropSource& source, const TimeSteps& steps, std::int64_t first_id)
+    : scene_(scene),
+      source_(source),
+      steps_(steps),
+      first_id_(first_id),
+      draw_(scene, Purpose::grain_species, Purpose::grain_size) {
+  if (!scene_.method->traits().force_laws) return;
   for (const auto& laws : scene_.material_laws().table) reach_ = std::max(reach_, reach(AnyNormal{laws.normal}));
 }
 
@@ -29,7 +34,7 @@ double Drop::waiting(double time) const { return std::max(0.0, time - std::max(p
 
 std::string Drop::buried() const {
   return fmt::format("the source is buried: grain {} of {} finds no room at height {}{}", released_ + 1, count(),
-                     scene_.source.height, scene_.source.height_above == "apex" ? " above the apex" : "");
+                     source_.height, source_.above_apex() ? " above the apex" : "");
 }
 
 void Drop::exchange(Archive& archive) {
@@ -40,9 +45,8 @@ void Drop::exchange(Archive& archive) {
 }
 
 bool Drop::release(Grains<2>& grains, double time, const std::function<double()>& apex) {
-  const auto& source = scene_.source;
   const auto seed = static_cast<std::uint64_t>(scene_.seed);
-  const double height = source.height + (source.height_above == "apex" ? apex() : 0.0);
+  const double height = source_.height + (source_.above_apex() ? apex() : 0.0);
   const auto box = make_box(scene_);
   Room room(grains, box, height, 0.5 * scene_.largest_drawn(), reach_);
   constexpr std::uint32_t tries_at_once = 64;
@@ -50,14 +54,14 @@ bool Drop::release(Grains<2>& grains, double time, const std::function<double()>
   while (due() <= time) {
     const auto index = static_cast<std::uint64_t>(released_);
     auto [grain, material] = draw_(index);
-    grain.velocity = {{source.velocity[0], source.velocity[1]}};
+    grain.velocity = {{source_.velocity[0], source_.velocity[1]}};
     // The velocity of the scene is that of the place; the method's own may be that of a little earlier.
     if (const double lag = steps_.velocity_lag(time); lag > 0.0) grain.velocity[1] += scene_.gravity * lag;
     grain.position[1] = height;
     bool found = false;
     for (std::uint32_t n = 0; n < tries_at_once && !found; ++n) {
       const double place = 2.0 * uniform(seed, Purpose::release_position, index, tries_++) - 1.0;
-      grain.position[0] = source.x + source.half_width * place;
+      grain.position[0] = source_.x + source_.half_width * place;
       found = room.is_free(grain);
     }
     if (!found) {
@@ -73,6 +77,10 @@ bool Drop::release(Grains<2>& grains, double time, const std::function<double()>
     retry_ = 0.0;
   }
   return released_ > before;
+}
+
+std::unique_ptr<Source> PourSource::start(const Scene& scene, const TimeSteps& steps, std::int64_t first_id) const {
+  return std::make_unique<Pour>(scene, *this, steps, first_id);
 }
 
 }  // namespace repose

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/scene/sources/drop.hpp"
 #include "repose/simulation/sources/draw.hpp"
 #include "repose/simulation/sources/source.hpp"
 
@@ -11,11 +12,11 @@ namespace repose {
 /// place is taken tries others, and waits where there is none; the later ones wait behind it.
 class Drop : public Source {
  public:
-  Drop(const Scene& scene, const TimeSteps& steps, std::int64_t first_id);
+  Drop(const Scene& scene, const DropSource& source, const TimeSteps& steps, std::int64_t first_id);
 
-  bool done() const override { return released_ == scene_.source.count; }
+  bool done() const override { return released_ == source_.count; }
   std::int64_t released() const override { return released_; }
-  std::int64_t count() const override { return scene_.source.count; }
+  std::int64_t count() const override { return source_.count; }
   double due() const override;
   bool release(Grains<2>& grains, double time, const std::function<double()>& apex) override;
   double waiting(double time) const override;
@@ -27,11 +28,12 @@ class Drop : public Source {
   virtual double moment(double time) const { return time; }
 
   const Scene& scene_;
+  const DropSource& source_;
   TimeSteps steps_;
 
  private:
   /// When the next grain is due by the rate alone [T].
-  double planned() const { return static_cast<double>(released_) / scene_.source.rate; }
+  double planned() const { return static_cast<double>(released_) / source_.rate; }
 
   std::int64_t first_id_;
   GrainDraw draw_;

@@ -15,10 +15,9 @@ Grain<2> make_grain(const Scene& scene, double diameter, const std::string& mate
 Grains<2> initial_grains(const Scene& scene) {
   Grains<2> grains;
   std::int64_t id = 0;
-  add_base(scene, grains, id);
-  if (scene.method.deposits()) return grains;
+  scene.base->add_grains(scene, grains, id);
   add_start(scene, grains, id);
-  add_lattice(scene, grains, id);
+  scene.source->add_grains(scene, grains, id);
   for (const auto& placed : scene.placed) {
     auto grain = make_grain(scene, placed.diameter, placed.material);
     for (int k = 0; k < 2; ++k) {

@@ -20,15 +20,9 @@ Grains<2> initial_grains(const Scene& scene);
 
 // The parts of these by origin, one source file each. `id` is that of the next grain to be added.
 
-/// Fixed grains of the base, by ascending x (base.cpp).
-void add_base(const Scene& scene, Grains<2>& grains, std::int64_t& id);
-
 /// What the scene starts from (start.cpp): grains of a run keep their ids, those of a file are numbered in its order.
 /// Throws InputError if it cannot be read any more.
 void add_start(const Scene& scene, Grains<2>& grains, std::int64_t& id);
-
-/// A lattice pile or a block, row by row (lattice.cpp).
-void add_lattice(const Scene& scene, Grains<2>& grains, std::int64_t& id);
 
 /// The contacts of the run that the scene starts from, between the walls of the present scene with the same names;
 /// empty where they mean nothing to the present law (start.cpp).

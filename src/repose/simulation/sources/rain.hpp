@@ -10,7 +10,7 @@ namespace repose {
 /// a grain's own time apart, so that the neighbours of all grains are not looked up for each.
 class Rain final : public Drop {
  public:
-  Rain(const Scene& scene, const TimeSteps& steps, std::int64_t first_id);
+  Rain(const Scene& scene, const DropSource& source, const TimeSteps& steps, std::int64_t first_id);
 
  private:
   double moment(double time) const override { return moments_.at_or_after(time); }

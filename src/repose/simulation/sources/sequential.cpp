@@ -13,8 +13,10 @@
 
 namespace repose {
 
-Sequential::Sequential(const Scene& scene, const TimeSteps& steps, std::int64_t first_id)
+Sequential::Sequential(const Scene& scene, const SequentialSource& source, const TimeSteps& steps,
+                       std::int64_t first_id)
     : scene_(scene),
+      source_(source),
       steps_(steps),
       first_id_(first_id),
       draw_(scene, Purpose::grain_species, Purpose::grain_size),
@@ -23,7 +25,7 @@ Sequential::Sequential(const Scene& scene, const TimeSteps& steps, std::int64_t 
 }
 
 bool Sequential::at_rest(const Grains<2>& grains) const {
-  const double slow = scene_.source.rest * scene_.gravity * steps_.length;
+  const double slow = source_.rest * scene_.gravity * steps_.length;
   return std::all_of(grains.line.begin(), grains.line.end(), [&](const auto& grain) {
     return grain.fixed() || (magnitude(grain.velocity) < slow && std::fabs(grain.rim_velocity) < slow);
   });
@@ -57,12 +59,11 @@ bool Sequential::release(Grains<2>& grains, double time, const std::function<dou
     quiet_ = at_rest(grains) ? quiet_ + 1 : 0;
     if (quiet_ < quiet_steps) return false;
   }
-  const auto& source = scene_.source;
   const auto index = static_cast<std::uint64_t>(released_);
   auto [grain, material] = draw_(index);
   const double place = 2.0 * uniform(static_cast<std::uint64_t>(scene_.seed), Purpose::release_position, index) - 1.0;
-  grain.position[0] = source.x + source.half_width * place;
-  grain.position[1] = first_touch(grains, grain.position[0], grain.radius) + source.height;
+  grain.position[0] = source_.x + source_.half_width * place;
+  grain.position[1] = first_touch(grains, grain.position[0], grain.radius) + source_.height;
   const auto limit = scene_.speed_limit();
   grain.velocity = {{0.0, limit ? -*limit : 0.0}};
   grains.add(grain, first_id_ + released_, false, material);
@@ -76,7 +77,7 @@ std::string Sequential::buried() const {
   return fmt::format(
       "grain {} of {} cannot be released: the others do not come to rest, by source.rest = {} of gravity times time "
       "step; less tolerance of the solver, or rolling friction, may help",
-      released_ + 1, count(), scene_.source.rest);
+      released_ + 1, count(), source_.rest);
 }
 
 void Sequential::exchange(Archive& archive) {
@@ -84,6 +85,11 @@ void Sequential::exchange(Archive& archive) {
   archive.value("source/next_time", next_);
   archive.value("source/last_time", last_);
   archive.value("source/quiet", quiet_);
+}
+
+std::unique_ptr<Source> SequentialSource::start(const Scene& scene, const TimeSteps& steps,
+                                                std::int64_t first_id) const {
+  return std::make_unique<Sequential>(scene, *this, steps, first_id);
 }
 
 }  // namespace repose

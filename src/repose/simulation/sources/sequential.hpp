@@ -3,6 +3,7 @@
 #pragma once
 
 #include "repose/boundaries/wall.hpp"
+#include "repose/scene/sources/sequential.hpp"
 #include "repose/simulation/sources/draw.hpp"
 #include "repose/simulation/sources/source.hpp"
 
@@ -15,11 +16,11 @@ namespace repose {
 /// have been at rest for three steps, which are equal. Source: Bratberg (2003), paper one.
 class Sequential final : public Source {
  public:
-  Sequential(const Scene& scene, const TimeSteps& steps, std::int64_t first_id);
+  Sequential(const Scene& scene, const SequentialSource& source, const TimeSteps& steps, std::int64_t first_id);
 
-  bool done() const override { return released_ == scene_.source.count; }
+  bool done() const override { return released_ == source_.count; }
   std::int64_t released() const override { return released_; }
-  std::int64_t count() const override { return scene_.source.count; }
+  std::int64_t count() const override { return source_.count; }
   /// Rest is checked after every step.
   double due() const override;
   bool release(Grains<2>& grains, double time, const std::function<double()>& apex) override;
@@ -33,6 +34,7 @@ class Sequential final : public Source {
   double first_touch(const Grains<2>& grains, double x, double radius) const;
 
   const Scene& scene_;
+  const SequentialSource& source_;
   TimeSteps steps_;
   std::int64_t first_id_;
   GrainDraw draw_;

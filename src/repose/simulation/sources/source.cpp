@@ -2,10 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/simulation/sources/source.hpp"
 
-#include "repose/simulation/sources/pour.hpp"
-#include "repose/simulation/sources/rain.hpp"
-#include "repose/simulation/sources/sequential.hpp"
-
 #include <limits>
 
 namespace repose {
@@ -27,11 +23,14 @@ class Nothing final : public Source {
 
 }  // namespace
 
-std::unique_ptr<Source> make_source(const Scene& scene, const TimeSteps& steps, std::int64_t first_id) {
-  if (scene.source.kind == "pour") return std::make_unique<Pour>(scene, steps, first_id);
-  if (scene.source.kind == "rain") return std::make_unique<Rain>(scene, steps, first_id);
-  if (scene.source.kind == "sequential") return std::make_unique<Sequential>(scene, steps, first_id);
+void SourceKind::add_grains(const Scene&, Grains<2>&, std::int64_t&) const {}
+
+std::unique_ptr<Source> SourceKind::start(const Scene&, const TimeSteps&, std::int64_t) const {
   return std::make_unique<Nothing>();
+}
+
+std::unique_ptr<Source> make_source(const Scene& scene, const TimeSteps& steps, std::int64_t first_id) {
+  return scene.source->start(scene, steps, first_id);
 }
 
 }  // namespace repose

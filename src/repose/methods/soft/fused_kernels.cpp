@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/methods/soft/make_kernel.hpp"
+
+namespace repose {
+
+template std::unique_ptr<Method<2>> make_kernel(MaterialTable<HookeLinear>, SoftSettings<2>);
+template std::unique_ptr<Method<2>> make_kernel(MaterialTable<HookeCumulative>, SoftSettings<2>);
+template std::unique_ptr<Method<2>> make_kernel(MaterialTable<HertzMindlin>, SoftSettings<2>);
+template std::unique_ptr<Method<2>> make_kernel(MaterialTable<ContinuousCumulative>, SoftSettings<2>);
+
+}  // namespace repose

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/boundaries/wall.hpp"
+#include "repose/core/grains.hpp"
+#include "repose/scene/kind.hpp"
+#include "repose/scene/method_kind.hpp"
+#include "repose/scene/problems.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace repose {
+
+/// What grains rest on, at height 0, as a scene chooses it.
+class BaseKind : public AnyKind<BaseKind> {
+ public:
+  /// Whether it can stand under a method.
+  virtual bool suits(const MethodTraits& method) const { return method.follows_time; }
+
+  /// The keys base.*, besides the kind.
+  virtual void keys(const Scene& scene, Parameters& keys) = 0;
+  virtual void check(const Scene& /*scene*/, Problems& /*problems*/) const {}
+
+  virtual bool of_grains() const { return false; }
+  /// Its grains have the diameter of the scene, whatever others have.
+  virtual bool of_one_size() const { return false; }
+  /// [L] Its grains lie at x from - this to this, unless they go round a periodic box.
+  virtual double reach(const Scene& /*scene*/) const { return 0.0; }
+  virtual double depth() const { return 0.0; }  ///< [L] how far its centres lie below height 0 at most
+  /// [L] half the width of the box, where the base decides it.
+  virtual std::optional<double> box_half_width(const Scene& /*scene*/) const { return std::nullopt; }
+
+  /// Whether a lattice pile can stand on it.
+  virtual bool carries_pile() const { return false; }
+  /// [L] between the hollows in which equal grains can lie; none: it has no hollows.
+  virtual std::optional<double> pitch() const { return std::nullopt; }
+  /// [L] height of the centre of a grain that stands on it, not in a hollow.
+  virtual double height_on_top(const Scene& /*scene*/, double diameter) const { return 0.5 * diameter; }
+
+  /// The wall that it is, if it is one.
+  virtual std::optional<Wall<2>> wall(const Scene& /*scene*/) const { return std::nullopt; }
+
+  virtual std::string describe() const { return std::string(name()); }
+
+  /// Its fixed grains, by ascending x; `id` is that of the next one. Defined in simulation/sources/base.cpp.
+  virtual void add_grains(const Scene& /*scene*/, Grains<2>& /*grains*/, std::int64_t& /*id*/) const {}
+};
+
+inline constexpr double most_base_grains = 1e7;
+
+Kinds<BaseKind>& base_kinds();
+
+}  // namespace repose

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/scene/boundaries.hpp"
+
+#include "repose/core/reproducible_math.hpp"
+#include "repose/scene/keys.hpp"
+#include "repose/scene/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+
+namespace repose {
+
+namespace {
+
+constexpr std::array<double, 2> origin{0.0, 0.0};
+
+void base_key(Scene& scene, Parameters& keys) {
+  const auto traits = scene.method->traits();
+  const auto suits = [&](const BaseKind& base) { return base.suits(traits); };
+  kind_key("base.kind", scene.base, base_kinds(), suits, {traits.follows_time ? "none" : "contiguous", ""},
+           "what the grains rest on, at height 0", keys);
+  scene.base->keys(scene, keys);
+}
+
+void box_keys(Scene& scene, Parameters& keys) {
+  const double d = scene.grains.diameter;
+  const bool in_time = scene.method->traits().follows_time;
+  const auto of_base = scene.base->box_half_width(scene);
+  const std::vector<Word> sides =
+      in_time ? std::vector<Word>{"open", "periodic"} : std::vector<Word>{"periodic", "walls"};
+  keys.choice("box.x", scene.box.x,
+              {of_base ? "periodic" : "open", in_time ? "\"open\"; \"periodic\" over a contiguous base" : ""}, sides,
+              in_time ? "its sides; grains that leave an open box are lost and counted" : "its sides");
+  if (of_base && !scene.box.open()) {
+    scene.box.half_width = *of_base;
+  } else {
+    const double room = scene.base->of_grains() ? scene.base->reach(scene) : 200.0 * d;
+    keys.number("box.half_width", scene.box.half_width,
+                {scene.box.periodic() ? room : room + 20.0 * d,
+                 "base.half_width, or 200 d without a base of grains; 20 d more if open"},
+                positive, "L", "x from -half_width to half_width");
+  }
+  if (!in_time) return;
+  keys.optional_number(
+      "box.floor", scene.box.floor, {"auto", ""}, any, "L",
+      "grains that fall below are lost and counted; \"auto\": 5 diameters below base grains, else nowhere");
+}
+
+void wall_keys(SceneWall& wall, const DefaultOf<std::string_view>& name, const Scene& scene, Parameters& keys) {
+  keys.text("name", wall.name, name, "name of its series in the output");
+  keys.flag("smooth", wall.smooth, "as base.smooth");
+  material_key("material", wall.material, scene, keys);
+  kind_key("motion", wall.motion, motion_kinds(), any_kind, "fixed", "how it moves", keys);
+  wall.motion->keys(keys);
+  keys.optional_number("opens_at", wall.opens_at, {"", "never"}, not_negative, "T", "the wall is removed at this time");
+}
+
+void check_direction(const std::string& key, const std::array<double, 2>& vector, Problems& problems) {
+  if (reproducible::hypot(vector[0], vector[1]) < 1e-100 && problems.sound(key)) {
+    problems.problem(key, fmt::format(" = [{}, {}]: must have a direction", vector[0], vector[1]));
+  }
+}
+
+void check_motion(const std::string& prefix, const SceneWall& wall, const Scene& scene, Problems& problems) {
+  if (const auto* direction = wall.motion->direction()) {
+    check_direction(prefix + std::string(wall.motion->direction_key()), *direction, problems);
+  }
+  if (wall.motion.as<Piston>() == nullptr || !scene.method->traits().force_laws || !problems.none()) return;
+  // The piston on its spring, or between it and one grain: explicit steps are unstable beyond w dt = 2.
+  const auto motion = wall.motion->motion();
+  const double step = scene.time_step();
+  const double frequency = scene.contact_frequency();
+  const double contact = scene.grains.mass * (frequency * frequency);
+  const double phase = step * std::sqrt((motion.stiffness + contact) / motion.mass);
+  if (phase <= 1.0) return;
+  problems.problem(prefix + "mass",
+                   fmt::format(" = {}: too light for the time step {:.4g}: w dt = {:.3g} > 1 against one grain and its "
+                               "spring; at least {:.4g} [M], and more where many grains touch it",
+                               motion.mass, step, phase, motion.mass * phase * phase));
+}
+
+/// Walls are known by their names in the output.
+void check_names(const Scene& scene, Problems& problems) {
+  std::set<std::string> names;
+  const auto check = [&](const std::string& table, const std::vector<SceneWall>& walls) {
+    for (std::size_t k = 0; k < walls.size(); ++k) {
+      if (names.insert(walls[k].name).second) continue;
+      problems.problem(fmt::format("{}[{}].name", table, k), fmt::format(" = \"{}\": is used twice", walls[k].name));
+    }
+  };
+  check("plane", scene.planes);
+  check("wall", scene.pieces);
+}
+
+void check_box(const Scene& scene, Problems& problems) {
+  const auto& box = scene.box;
+  const bool of_base = scene.base->box_half_width(scene).has_value() && !box.open();
+  if (of_base || !problems.sound("box.half_width")) return;
+  if (box.periodic() && box.half_width < 4.0 * scene.largest_diameter()) {
+    problems.problem("box.half_width", fmt::format(" = {}: a periodic box must be at least 8 of the largest diameters "
+                                                   "wide",
+                                                   box.half_width));
+  }
+  if (!box.periodic() && scene.base->of_grains() && problems.sound("base.half_width") &&
+      box.half_width < scene.base->reach(scene)) {
+    problems.problem("box.half_width", fmt::format(" = {}: must be at least base.half_width = {}", box.half_width,
+                                                   scene.base->reach(scene)));
+  }
+}
+
+void check_planes(const Scene& scene, Problems& problems) {
+  for (std::size_t k = 0; k < scene.planes.size(); ++k) {
+    const auto prefix = fmt::format("plane[{}].", k);
+    const auto& normal = scene.planes[k].normal;
+    check_direction(prefix + "normal", normal, problems);
+    if (scene.box.periodic() && std::fabs(normal[0]) > 1e-12 * std::fabs(normal[1]) &&
+        problems.sound(prefix + "normal")) {
+      problems.problem(prefix + "normal",
+                       fmt::format(" = [{}, {}]: a plane must be level in a periodic box; a [[wall]] need not be",
+                                   normal[0], normal[1]));
+    }
+    check_motion(prefix, scene.planes[k], scene, problems);
+  }
+}
+
+void check_pieces(const Scene& scene, Problems& problems) {
+  for (std::size_t k = 0; k < scene.pieces.size(); ++k) {
+    const auto& piece = scene.pieces[k];
+    const auto prefix = fmt::format("wall[{}].", k);
+    const double length = reproducible::hypot(piece.to[0] - piece.from[0], piece.to[1] - piece.from[1]);
+    if (length < 1e-6 * scene.grains.diameter && problems.sound(prefix + "from") && problems.sound(prefix + "to")) {
+      problems.problem(prefix + "to", fmt::format(" = [{}, {}]: is where the wall begins", piece.to[0], piece.to[1]));
+    }
+    check_motion(prefix, piece, scene, problems);
+  }
+}
+
+}  // namespace
+
+void boundary_keys(Scene& scene, Parameters& keys) {
+  base_key(scene, keys);
+  box_keys(scene, keys);
+  if (!scene.method->traits().follows_time) return;
+  table_keys(keys, "plane", scene.planes, [&](Parameters& entry, SceneWall& plane, std::size_t k) {
+    entry.vector("point", plane.point, std::nullopt, "L", "a point on the plane");
+    entry.vector("normal", plane.normal, std::nullopt, "", "normal vector, towards the grains");
+    wall_keys(plane, {fmt::format("plane {}", k), "\"plane k\""}, scene, entry);
+  });
+  table_keys(keys, "wall", scene.pieces, [&](Parameters& entry, SceneWall& piece, std::size_t k) {
+    entry.vector("from", piece.from, std::nullopt, "L", "one end of a straight wall, which has two sides");
+    entry.vector("to", piece.to, std::nullopt, "L", "the other end");
+    wall_keys(piece, {fmt::format("wall {}", k), "\"wall k\""}, scene, entry);
+  });
+  table_keys(keys, "load", scene.loads, [&](Parameters& entry, SceneLoad& load, std::size_t) {
+    entry.vector("force", load.force, std::nullopt, "M L/T^2", "force on one grain");
+    entry.integer("grain", load.grain, {.low = -1}, "its id; -1: the moving grain nearest to the position");
+    if (load.grain < 0) entry.vector("position", load.position, origin, "L", "place at the start of the load");
+    entry.number("start", load.start, not_negative, "T", "the load begins then");
+  });
+}
+
+void check_boundaries(const Scene& scene, Problems& problems) {
+  scene.base->check(scene, problems);
+  check_box(scene, problems);
+  check_planes(scene, problems);
+  check_pieces(scene, problems);
+  check_names(scene, problems);
+  for (std::size_t k = 0; k < scene.loads.size(); ++k) {
+    check_direction(fmt::format("load[{}].force", k), scene.loads[k].force, problems);
+  }
+}
+
+}  // namespace repose

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/boundaries/wall.hpp"
+#include "repose/scene/kind.hpp"
+
+#include <array>
+
+namespace repose {
+
+/// What moves a wall, as a scene chooses it.
+class MotionKind : public AnyKind<MotionKind> {
+ public:
+  /// The keys of the wall that say how it moves, besides the kind.
+  virtual void keys(Parameters& keys) = 0;
+
+  /// The key of what sets the direction, and its value; null for a wall that stands still.
+  virtual const std::array<double, 2>* direction() const { return nullptr; }
+  virtual std::string_view direction_key() const { return ""; }
+  virtual WallMotion<2> motion() const = 0;  ///< of a sound scene
+};
+
+Kinds<MotionKind>& motion_kinds();
+
+struct StandingWall final : KindOf<StandingWall, MotionKind> {
+  static constexpr std::string_view kind = "fixed";
+  static constexpr std::string_view meaning = "it stands still";
+
+  void keys(Parameters&) override {}
+  WallMotion<2> motion() const override { return {}; }
+};
+
+struct DrivenWall final : KindOf<DrivenWall, MotionKind> {
+  static constexpr std::string_view kind = "velocity";
+  static constexpr std::string_view meaning = "it moves at a given velocity";
+
+  std::array<double, 2> velocity{unset, unset};  ///< [L/T]
+  double start = 0.0;                            ///< [T]
+
+  void keys(Parameters& keys) override;
+  const std::array<double, 2>* direction() const override { return &velocity; }
+  std::string_view direction_key() const override { return "velocity"; }
+  WallMotion<2> motion() const override;
+};
+
+/// A wall with a mass, which the grains push back.
+class Piston : public MotionKind {
+ public:
+  double mass = unset;  ///< [M]
+  double drag = 0.0;    ///< [M/T]
+  double start = 0.0;   ///< [T]
+
+ protected:
+  void piston_keys(Parameters& keys);
+  WallMotion<2> piston_motion() const;
+};
+
+struct PushedPiston final : KindOf<PushedPiston, Piston> {
+  static constexpr std::string_view kind = "force";
+  static constexpr std::string_view meaning = "a piston under a given force";
+
+  std::array<double, 2> force{unset, unset};  ///< [M L/T^2]
+
+  void keys(Parameters& keys) override;
+  const std::array<double, 2>* direction() const override { return &force; }
+  std::string_view direction_key() const override { return "force"; }
+  WallMotion<2> motion() const override;
+};
+
+struct SprungPiston final : KindOf<SprungPiston, Piston> {
+  static constexpr std::string_view kind = "spring";
+  static constexpr std::string_view meaning = "a piston pulled by a spring whose far end moves at a given velocity";
+
+  std::array<double, 2> velocity{unset, unset};  ///< [L/T] of the far end
+  double stiffness = unset;                      ///< [M/T^2]
+
+  void keys(Parameters& keys) override;
+  const std::array<double, 2>* direction() const override { return &velocity; }
+  std::string_view direction_key() const override { return "velocity"; }
+  WallMotion<2> motion() const override;
+};
+
+}  // namespace repose

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/scene/output.hpp"
+
+#include "repose/scene/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace repose {
+
+namespace {
+
+void stop_keys(StopKeys& stop, Parameters& keys) {
+  keys.optional_number(
+      "stop.at_rest", stop.at_rest, {"", "none"}, positive, "",
+      "ends the run after the last grain, once kinetic energy per grain (in m g d) and force residual are below this");
+  keys.optional_number("stop.time", stop.time, {"", "none"}, positive, "T", "ends the run at this time");
+}
+
+void file_keys(Scene& scene, Parameters& keys) {
+  auto& output = scene.output;
+  const auto traits = scene.method->traits();
+  const bool in_time = traits.follows_time;
+  const auto unit = traits.time_unit();
+  const double fall = scene.gravity > 0.0 ? std::sqrt(scene.grains.diameter / scene.gravity) : 1.0;
+  // Where time counts discs, one row at the end tells all.
+  const auto all = static_cast<double>(scene.source->released());
+  keys.number("output.series", output.series, in_time ? Default{fall, "sqrt(d/g)"} : Default{all, "all"},
+              in_time ? positive : at_least_one, unit, "interval between rows of the time series");
+  keys.number("output.frames", output.frames, in_time ? Default{100.0 * fall, "100 sqrt(d/g)"} : Default{0.0},
+              not_negative, unit, "interval between saved frames; 0: none");
+  if (in_time) {
+    keys.number("output.window", output.window, {10.0 * fall, "10 sqrt(d/g)"}, positive, unit,
+                "interval at the end over which base forces are averaged");
+    keys.number("output.track", output.track, not_negative, unit,
+                "interval between moments at which the place of every grain is kept, for avalanches; 0: none");
+  } else {
+    output.window = all;
+  }
+  keys.number("output.checkpoint", output.checkpoint, not_negative, "s of wall time",
+              "interval between checkpoints, from which a run resumes after a crash; 0: only when it is interrupted");
+  if (traits.keeps_energy) {
+    keys.flag("output.energy", output.energy,
+              "keep account of the energy in a series of its own; a slower kernel, which gives the same bits");
+  }
+}
+
+void force_keys(Scene& scene, Parameters& keys) {
+  auto& analysis = scene.analysis;
+  const double d = scene.grains.diameter;
+  keys.number("analysis.bin_width", analysis.bin_width, {2.0 * d, "2 d"}, positive, "L",
+              "bin width of the surface profile");
+  keys.number("analysis.force_threshold", analysis.force_threshold, not_negative, "grain weights",
+              "contacts with a smaller force do not count");
+  keys.number("analysis.base_bin", analysis.base_bin, {5.0 * d, "5 d"}, positive, "L", "bin width of the base profile");
+  keys.number("analysis.field_width", analysis.field_width, {1.5 * d, "1.5 d"}, positive, "L",
+              "standard deviation of the Gaussian that smooths stress and density");
+  keys.number("analysis.core_depth", analysis.core_depth, {4.0 * d, "4 d"}, not_negative, "L",
+              "depth below the surface at which the core of a heap begins");
+  keys.number("analysis.moved", analysis.moved, {0.5 * d, "0.5 d"}, positive, "L",
+              "a grain that is displaced farther between two moments of the track has moved");
+  keys.integer("analysis.avalanche", analysis.avalanche, {.low = 1}, "grains that move at once in an avalanche");
+  keys.number("analysis.burst", analysis.burst, positive, "grain weights times diameters",
+              "kinetic energy of the heap above which a burst is counted");
+}
+
+void packing_keys(Scene& scene, Parameters& keys) {
+  auto& analysis = scene.analysis;
+  const auto traits = scene.method->traits();
+  if (traits.follows_time) {
+    keys.flag("analysis.packing", analysis.packing, {scene.box.periodic(), "true in a periodic box"},
+              "measure the packing in a slab: solid fraction, contacts, fabric");
+  } else {
+    analysis.packing = true;
+  }
+  if (!*analysis.packing) return;
+  keys.vector("analysis.slab", analysis.slab, std::array<double, 2>{0.4, 1.4}, "",
+              "edges of the slab above the base centres, in mean heights of the grains");
+  keys.number("analysis.contact_gap", analysis.contact_gap, traits.contact_gap, not_negative, "diameters",
+              "grains closer than this touch");
+  keys.integer("analysis.direction_bins", analysis.direction_bins, {.low = 1},
+               "bins of contact directions, over 180 degrees");
+  keys.flag("analysis.correlations", analysis.correlations, "pair correlation g(r), and along x and y");
+  keys.flag("analysis.structure_factor", analysis.structure_factor, "structure factor S(q)");
+  keys.flag("analysis.local_density", analysis.local_density, "local density by Voronoi cells");
+}
+
+}  // namespace
+
+void output_keys(Scene& scene, Parameters& keys) {
+  const auto traits = scene.method->traits();
+  if (traits.follows_time) stop_keys(scene.stop, keys);
+  file_keys(scene, keys);
+  if (traits.has_forces()) force_keys(scene, keys);
+  packing_keys(scene, keys);
+}
+
+void check_stop(const Scene& scene, Problems& problems) {
+  const auto& stop = scene.stop;
+  if (!stop.time && !stop.at_rest && problems.sound("stop.time") && problems.sound("stop.at_rest")) {
+    problems.problem("stop", ": missing: give time, at_rest or both; the run ends at whichever comes first");
+  }
+  if (stop.at_rest && scene.gravity == 0.0 && problems.sound("stop.at_rest") && problems.sound("gravity")) {
+    problems.problem(
+        "stop.at_rest",
+        fmt::format(" = {}: is measured in grain weights and needs gravity > 0; use stop.time", *stop.at_rest));
+  }
+}
+
+void check_slab(const Scene& scene, Problems& problems) {
+  if (!*scene.analysis.packing || !problems.sound("analysis.slab")) return;
+  const auto [low, high] = scene.analysis.slab;
+  // Where grains lie evenly up to the top, that is at twice their mean height.
+  if (low < 0.0 || high <= low || low >= 2.0) {
+    problems.problem("analysis.slab", fmt::format(" = [{}, {}]: an empty slab; must be 0 <= low < high, low < 2, in "
+                                                  "mean heights of the grains",
+                                                  low, high));
+  }
+}
+
+}  // namespace repose

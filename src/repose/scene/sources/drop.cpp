@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/scene/sources/drop.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace repose {
+
+void DropSource::check(const Scene& scene, Problems& problems) const {
+  if (scene.gravity == 0.0 && problems.sound("gravity")) {
+    problems.problem("source.kind", fmt::format(" = \"{}\": needs gravity > 0", name()));
+  }
+  if (problems.sound("source.half_width") && problems.sound("box.half_width") &&
+      std::fabs(x) + half_width > scene.box.half_width) {
+    problems.problem("source.half_width", fmt::format(" = {}: the opening must lie within the box, x = +-{}",
+                                                      half_width, scene.box.half_width));
+  }
+}
+
+double DropSource::fall(const Scene& scene) const { return height + scene.rise(velocity); }
+
+double DropSource::expected_end(const Scene& scene) const {
+  const double poured = static_cast<double>(count) / rate;
+  return poured + std::sqrt(2.0 * height / scene.gravity) + 50.0 * std::sqrt(scene.grains.diameter / scene.gravity);
+}
+
+double DropSource::expected_work(const Scene&, double time) const {
+  const double during = std::min(time, static_cast<double>(count) / rate);
+  return 0.5 * rate * during * during + static_cast<double>(count) * (time - during);
+}
+
+Default PourSource::usual_half_width(const Scene& scene) const { return {3.0 * scene.grains.diameter, "3 d"}; }
+
+Default RainSource::usual_half_width(const Scene& scene) const {
+  return {scene.base->of_grains() ? scene.base->reach(scene) : scene.box.half_width, "all of the base or box"};
+}
+
+std::string PourSource::describe() const { return fmt::format("{} poured", count); }
+std::string RainSource::describe() const { return fmt::format("{} rained", count); }
+
+}  // namespace repose
