@@ -13,8 +13,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-# Folders of src/repose whose numbers reach the grains; run/sources holds those that place and draw them.
-FOLDERS = ["core", "io", "neighbours", "laws", "boundaries", "methods", "scene", "run/sources", "simulation"]
+# Folders of src/repose whose numbers reach the grains.
+FOLDERS = ["core", "io", "neighbours", "laws", "boundaries", "methods", "scene", "simulation"]
 SUFFIXES = {".hpp", ".cpp", ".h", ".cu", ".cuh"}
 
 # sqrt, fma, floor, ldexp and their like are exact or correctly rounded everywhere.
@@ -54,7 +54,7 @@ RIGHT = {
 }
 WRONG = {
     "laws/power.hpp:2": "double f(double x) {\n  return std::pow(x, 1.5);\n}\n",
-    "run/sources/turn.cpp:1": "x += std::cos(turn);\n",
+    "simulation/sources/turn.cpp:1": "x += std::cos(turn);\n",
     "core/draw.cpp:1": "std::normal_distribution<double> sizes;\n",
     "scene/sizes.cpp:1": "#include <boost/math/distributions/normal.hpp>\n",
     "methods/soft/use.cpp:1": "using std::exp;\n",

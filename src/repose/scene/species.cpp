@@ -19,7 +19,7 @@ void grain_keys(Scene& scene, Parameters& keys) {
   keys.number("grains.mass", grains.mass, {si ? required : 1.0, "1; must be given in SI"}, positive, "M",
               "m: of a grain of that diameter");
   keys.number("grains.polydispersity", grains.polydispersity, fraction, "", "p: diameters uniform in [(1 - p) d, d]");
-  keys.choice("grains.shares", grains.shares, {"number", "mass"},
+  keys.choice("grains.shares", grains.fractions_by, {"number", "mass"},
               "whether species.share is a fraction of the number or of the mass of the grains");
 }
 
