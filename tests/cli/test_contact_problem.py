@@ -201,7 +201,7 @@ BAD = [
     (put("contacts/bodies", (4, 0), -1), "contacts/bodies: row 4: must be rows of bodies"),
     (put("contacts/bodies", 5, [7, 7]), "contacts/bodies: row 5: must be two bodies"),
     (put("contacts/normal", 6, [0.6, 0.7]), "contacts/normal: row 6: must have length 1"),
-    (put("contacts/arms", (1, 1), 0.9), "contacts/arms: row 1: must be the same share of both radii"),
+    (put("contacts/arms", (1, 1), 0.9), "contacts/arms: row 1: must be the same fraction of both radii"),
     (put("contacts/roll_radius", 1, 0.9), "contacts/roll_radius: row 1"),
     (put("contacts/normal_bias", 1, np.inf), "contacts/normal_bias: row 1: must be finite"),
     (put("contacts/impulse", (1, 2), np.nan), "contacts/impulse: row 1: must be finite"),

@@ -163,7 +163,7 @@ def test_a_finished_member_is_not_run_again(sweep):
     removed = sweep.path / "out/members/friction=0.2/seed-3/summary.json"
     removed.unlink()
     before = contents(sweep.path / "out")
-    assert "5 members have ended before" in run_sweep(sweep).stdout
+    assert "5 members have already ended" in run_sweep(sweep).stdout
     changed = [path for path, mark in marks.items() if path.stat().st_mtime_ns != mark]
     assert changed == [removed.parent / "run.h5"]
     assert contents(sweep.path / "out") == before
@@ -175,7 +175,7 @@ def test_the_folder_alone_is_enough_to_resume(sweep):
     sweep.path.joinpath("heap.toml").unlink()
     result = sweep("sweep", "out/sweep.toml")
     assert result.returncode == 0, result.stderr
-    assert "6 members have ended before" in result.stdout
+    assert "6 members have already ended" in result.stdout
     assert contents(sweep.path / "out") == before
 
 
@@ -199,7 +199,7 @@ def test_a_failed_member_is_reported_and_does_not_stop_the_others(sweep):
     assert (rows["heap"]["finished"], rows["heap"]["failed"]) == ("3", "0")
     assert (rows["low"]["finished"], rows["low"]["failed"]) == ("0", "3")
     assert rows["low"][ANGLE] == "" and float(rows["heap"][ANGLE]) > 0
-    assert "6 members have ended before" in run_sweep(sweep, expect=1).stdout
+    assert "6 members have already ended" in run_sweep(sweep, expect=1).stdout
 
 
 def test_ctrl_c_ends_in_good_order_and_the_sweep_resumes(sweep):
@@ -213,7 +213,7 @@ def test_ctrl_c_ends_in_good_order_and_the_sweep_resumes(sweep):
     assert process.wait(20) == 130
     finished = sum(int(row["finished"]) for row in rows_of(sweep.path / "out/table.csv"))
     assert 1 <= finished < 80
-    assert f"{finished} members have ended before" in run_sweep(sweep).stdout
+    assert f"{finished} members have already ended" in run_sweep(sweep).stdout
 
 
 def test_points_with_scenes_of_their_own(sweep):
@@ -300,7 +300,7 @@ def test_members_of_another_scene_are_not_mixed_in(sweep):
 def test_more_seeds_add_members_to_a_finished_sweep(sweep):
     run_sweep(sweep)
     sweep.scene(SWEEP.replace("seeds = 3", "seeds = 4"), "sweep.toml")
-    assert "6 members have ended before" in run_sweep(sweep).stdout
+    assert "6 members have already ended" in run_sweep(sweep).stdout
     assert [row["finished"] for row in rows_of(sweep.path / "out/table.csv")] == ["4", "4"]
 
 

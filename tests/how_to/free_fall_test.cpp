@@ -116,11 +116,11 @@ void expect_same(const Record& a, const Record& b) {
   EXPECT_EQ(a.facts.time, b.facts.time);
   EXPECT_EQ(a.facts.steps, b.facts.steps);
   ASSERT_EQ(a.series.size(), b.series.size());
-  ASSERT_EQ(a.walls.size(), b.walls.size());
+  ASSERT_EQ(a.wall_series.size(), b.wall_series.size());
   for (std::size_t k = 0; k < a.series.size(); ++k) {
     EXPECT_EQ(a.series[k].time, b.series[k].time);
     EXPECT_EQ(a.series[k].kinetic_energy_per_grain, b.series[k].kinetic_energy_per_grain);
-    for (std::size_t w = 3 * k; w < 3 * k + 3; ++w) EXPECT_EQ(a.walls[w].force, b.walls[w].force);
+    for (std::size_t w = 3 * k; w < 3 * k + 3; ++w) EXPECT_EQ(a.wall_series[w].force, b.wall_series[w].force);
   }
   EXPECT_EQ(a.track.size(), b.track.size());
 }

@@ -127,10 +127,10 @@ void expect_same(const Record& a, const Record& b, const std::string& how) {
   EXPECT_EQ(a.facts.support_force, b.facts.support_force) << how;
   EXPECT_EQ(a.facts.status, b.facts.status) << how;
   EXPECT_TRUE(bytes_of(a.series) == bytes_of(b.series)) << how;
-  ASSERT_EQ(a.walls.size(), b.walls.size()) << how;
-  for (std::size_t k = 0; k < a.walls.size(); ++k) {
-    EXPECT_EQ(a.walls[k].displacement, b.walls[k].displacement) << how;
-    EXPECT_EQ(a.walls[k].force, b.walls[k].force) << how;
+  ASSERT_EQ(a.wall_series.size(), b.wall_series.size()) << how;
+  for (std::size_t k = 0; k < a.wall_series.size(); ++k) {
+    EXPECT_EQ(a.wall_series[k].displacement, b.wall_series[k].displacement) << how;
+    EXPECT_EQ(a.wall_series[k].force, b.wall_series[k].force) << how;
   }
   EXPECT_EQ(a.base.normal, b.base.normal) << how;
   EXPECT_EQ(a.base.shear, b.base.shear) << how;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/scene/geometry.hpp"
 #include "repose/scene/read.hpp"
+#include "repose/scene/sources/drop.hpp"
 #include "repose/simulation/sources/initial.hpp"
 #include "repose/simulation/sources/rain.hpp"
 #include "repose/simulation/sources/room.hpp"
@@ -45,7 +46,7 @@ Scene raining(const std::string& more) {
 // At most 1 + t rate grains are released by time t, and all of them at the next release unless they wait. None overlap.
 TEST(Rain, GrainsOfOneMomentDoNotOverlap) {
   const auto scene = raining("velocity = [0.5, -2.0]");
-  Rain rain(scene, leapfrog, 7);
+  Rain rain(scene, *scene.source.as<RainSource>(), leapfrog, 7);
   Grains<2> grains;
   std::size_t most = 0;
   long step = 0;
@@ -77,8 +78,8 @@ TEST(Rain, GrainsOfOneMomentDoNotOverlap) {
 // A source that is destroyed and made again with the same state continues with the same grains: nothing else is random.
 TEST(Rain, GrainsDependOnTheirNumberAlone) {
   const auto scene = raining("half_width = 20");
-  Rain one(scene, leapfrog, 0);
-  Rain other(scene, leapfrog, 0);
+  Rain one(scene, *scene.source.as<RainSource>(), leapfrog, 0);
+  Rain other(scene, *scene.source.as<RainSource>(), leapfrog, 0);
   Grains<2> all;
   Grains<2> late;
   one.release(all, 1.0, no_apex);
@@ -95,7 +96,7 @@ TEST(Rain, GrainsDependOnTheirNumberAlone) {
 
 TEST(Rain, HeightAboveTheApex) {
   const auto scene = raining("height_above = \"apex\"");
-  Rain rain(scene, leapfrog, 0);
+  Rain rain(scene, *scene.source.as<RainSource>(), leapfrog, 0);
   Grains<2> grains;
   rain.release(grains, 0.0, [] { return 3.25; });
   ASSERT_EQ(grains.size(), 1U);

@@ -112,7 +112,9 @@ std::vector<FlatWall> floor_and_lid(double height) {
 /// Compares areas with brute force; the outline of each cell must have its area.
 void expect_brute_force(const Grains<2>& grains, const std::vector<bool>& in_heap, const std::vector<FlatWall>& walls,
                         const Box<2>& box) {
-  const auto cells = voronoi({grains, box}, in_heap, walls, box);
+  std::vector<bool> in_heap_by_id;
+  for (const auto k : by_id(grains)) in_heap_by_id.push_back(in_heap[k]);
+  const auto cells = voronoi({grains, box}, in_heap_by_id, walls, box);
   std::size_t next = 0;
   for (const auto k : by_id(grains)) {
     if (!in_heap[k]) continue;
