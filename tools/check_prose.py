@@ -4,7 +4,8 @@
 """Checks names and prose: one line "file:line: word -> replacement" per violation, exit status 1 if there is any.
 
 Comments, docstrings, messages and docs use plain English (PHRASES), identifiers say what they name (NAMES). Tests that
-comments and docs name exist: files below tests/, `Suite.Test` and test_function. Folders below src/repose exist.
+comments and docs name exist: files below tests/, `Suite.Test` and test_function. Folders below src/repose, examples and
+the targets of links in docs exist.
 
 usage: check_prose.py [ROOT | --self-test]
 """
@@ -61,7 +62,8 @@ NAMES = [
 ]
 
 IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
-TEST_PATH = re.compile(r"(?<![\w./-])tests/[\w/.-]*\w")
+TEST_PATH = re.compile(r"(?<![\w./-])(?:tests|examples)/[\w/.-]*\w")
+LINK = re.compile(r"\]\((?!\w+:)([^)\s#]+)")
 SOURCE_FOLDER = re.compile(r"(?<![\w./-])src/repose/(\w+)(?![\w.*{<])")
 SUITE_TEST = re.compile(r"(?<![\w./*-])([A-Z]\w+)\.([A-Z]\w*\*?|\*(?!\*))(?![\w(])")
 TEST_FUNCTION = re.compile(r"(?<![\w/.-])test_\w+(?:\.py)?")
@@ -207,7 +209,7 @@ class Tests:
         """(offset, problem) of every test in the text that does not exist."""
         for found in TEST_PATH.finditer(text):
             if not self.file_exists(found.group()):
-                yield found.start(), f"{found.group()} -> no such test file"
+                yield found.start(), f"{found.group()} -> no such file"
         for found in SOURCE_FOLDER.finditer(text):
             if not self.file_exists(f"src/repose/{found[1]}"):
                 yield found.start(), f"{found.group()} -> no such folder"
@@ -233,6 +235,9 @@ def problems_of(path, file, tests):
     for first, text, kind in parts.prose:
         for offset, problem in tests.problems(text, file.suffix == ".md") if kind != MESSAGE else []:
             found.append((first + text.count("\n", 0, offset), problem))
+        for link in LINK.finditer(text) if file.suffix == ".md" and kind != CODE else []:
+            if not (file.parent / link[1]).exists():
+                found.append((first + text.count("\n", 0, link.start()), f"{link[1]} -> no such file"))
     return sorted(found)
 
 
@@ -262,7 +267,8 @@ RIGHT = {
     "src/repose/core/b.cpp": '/* The share price. */ f("spelled out tests/unit/x.cpp", R"(a way of looking)");\n',
     "tests/unit/a_test.cpp": "TEST(Law, Holds) {}\nTEST_F(Law, HoldsToo) {}\nTEST_P(Other, Case) {}\n",
     "tests/cli/test_a.py": '"""Tests."""\n\n\ndef test_it_holds():\n    assert "goes on" in message()\n',
-    "docs/page.md": "Law.Holds, Law.*, Law.Hold*, `test_it_holds`, test_a.py, tests/unit, src/repose/core/x.hpp. See README.md.\n"
+    "docs/page.md": "Law.Holds, Law.*, Law.Hold*, `test_it_holds`, test_a.py, tests/unit, src/repose/core/x.hpp. See [a page](page.md#top)\n"
+    "and [a site](https://example.org/none).\n"
     "```\ngoes on anew\n```\n",
     "src/repose/core/d.hpp": "/// A law. Validated by tests/unit/a_test.cpp (all)\n/// and tests/cli/test_a.py.\nstruct Law {};\n",
     "notes.txt": "it goes on\n# a comment\n",
@@ -290,6 +296,8 @@ WRONG = {
     "docs/suite2.md:1": "`Gone.*`\n",
     "docs/function.md:1": "`test_gone`\n",
     "docs/folder.md:1": "In src/repose/run the program runs.\n",
+    "docs/example.md:1": "`repose run examples/gone.toml`\n",
+    "docs/link.md:2": "A\n[page](gone.md).\n",
     "CMakeLists.txt:2": "set(X)\n# A stretch of text.\n",
 }
 
