@@ -155,7 +155,7 @@ def test_resuming_gives_the_same_bits(lab, how):
     (scene(91), "scene.toml:4: method.critical_angle = 91: must be"),
     (scene(-1), "method.critical_angle = -1: must be"),
     (scene(width=1), "scene.toml:7: base.count = 1: must be a whole number from 2"),
-    (scene(more="[grains]\npolydispersity = 0.5\n[[species]]\nsizes = { kind = 'fixed', diameter = 20 }\n"),
+    (scene(more="[grains]\npolydispersity = 0.5\n[[species]]\nsizes = { kind = 'fixed', diameter = 2 }\n"),
      "grains.polydispersity = 0.5"),
     (scene(width=3, more="[[species]]\nsizes = { kind = 'fixed', diameter = 2 }\n"), "base.count = 3: the width"),
     (scene(more="[analysis]\ncontact_gap = -1e-3\n"), "analysis.contact_gap = -0.001: must be >= 0"),

@@ -143,7 +143,7 @@ def refused(model, *settings):
         ("janssen", ["friction=-0.1"], "janssen: friction = -0.1: must be >= 0"),
         ("janssen", ["direction=down"], "janssen: direction = down: must be rest | pushed-up"),
         ("janssen", ["direction=pushed-up", "height=701"], "janssen: height = 701: is 701 screening lengths (1); must be <= 700"),
-        ("janssen-discrete", ["direction=pushed-up", "k_mu=0.5"], "janssen-discrete: k_mu = 0.5: must be < 0.5 pushed up"),
+        ("janssen-discrete", ["direction=pushed-up", "k_mu=0.5"], "janssen-discrete: k_mu = 0.5: must be < 0.5 with direction = pushed-up"),
         ("janssen-discrete", ["direction=pushed-up", "layers=5000"], "janssen-discrete: layers = 5000: is 1115.72 times lambda_2"),
         ("janssen-discrete", ["layers=0"], "janssen-discrete: layers = 0: must be from 1 to"),
         ("janssen-fit", ["file=none.csv", "mass_per_height=1"], "none.csv: no such file"),
