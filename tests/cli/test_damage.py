@@ -115,7 +115,7 @@ def test_changed_analysis_settings_are_used_and_reported(interrupted):
     path = lab.path / "copy/scene.toml"
     path.write_text(path.read_text().replace("bin_width = 2", "bin_width = 3"))
     result = lab("analyse", "copy", "--quiet")
-    assert result.returncode == 0 and "its [analysis] is taken as it is now" in result.stderr
+    assert result.returncode == 0 and "uses its [analysis] as it stands now" in result.stderr
 
 
 def test_a_damaged_frame_is_reported_and_the_run_resumes(interrupted):

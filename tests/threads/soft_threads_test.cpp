@@ -74,7 +74,7 @@ std::vector<double> crowd(const Law& law, int threads, bool periodic, bool synch
   }
   for (const auto& contact : world.contacts().list) {
     state.push_back(contact.normal_force);
-    state.push_back(magnitude(contact.history));
+    state.push_back(magnitude(contact.slip));
   }
   if (settings.audit) {
     const auto energy = world.energy();

@@ -426,7 +426,7 @@ TEST(ContactDynamics, HistoriesAreAWarmStart) {
   auto second = stack();
   second.refresh();
   second.advance(1);  // the first step is half a kick; the impulses belong to whole kicks
-  second.method.set_histories(second.grains, contacts);
+  second.method.set_slip_displacements(second.grains, contacts);
   second.advance(1);
   EXPECT_EQ(second.method.solution().sweeps, 0);
 }

@@ -34,7 +34,7 @@ void check_out(const SolveOptions& options) {
   if (!std::filesystem::is_directory(folder, error)) {
     throw InputError(fmt::format("{}: no such folder: {}", options.out, folder.string()));
   }
-  if (!is_there(options.out)) return;
+  if (!path_exists(options.out)) return;
   if (std::filesystem::equivalent(options.out, options.file, error)) {
     throw InputError(fmt::format("{}: is the problem itself; choose another --out", options.out));
   }

@@ -31,7 +31,7 @@ constexpr const char* slope_measure = "angle_of_repose_deg.mean";
 Json finished_summary(const std::string& folder) {
   const auto path = folder + "/summary.json";
   for (const auto* name : {"run.h5", "summary.json", "analysis.h5"}) {
-    if (!is_there(std::filesystem::path(folder) / name)) {
+    if (!path_exists(std::filesystem::path(folder) / name)) {
       throw InputError(fmt::format("{}: holds neither an analysed run nor a sweep: no {}", folder, name));
     }
   }

@@ -37,7 +37,7 @@ ContactProblem next_contact_problem(const Record& record) {
   auto grains = *record.grains;
   Team team(1);
   method->refresh(grains, team);
-  method->set_histories(grains, record.contacts);
+  method->set_slip_displacements(grains, record.contacts);
   const auto* problem = method->problem_at(record.facts.time, grains, team);
   REPOSE_ASSERT(problem != nullptr);
 

@@ -22,7 +22,7 @@ struct Contact {
   double relative_overlap = 0.0;  ///< overlap divided by the mean diameter of the pair
   double normal_force = 0.0;      ///< [M L/T^2]
   Tangent<D> tangential_force{};  ///< [M L/T^2]
-  Tangent<D> history{};           ///< [L] slip displacement: tangential displacement accumulated by the contact
+  Tangent<D> slip{};              ///< [L] slip displacement: tangential displacement accumulated by the contact
   double first_lever = 0.0;       ///< [L] from the centre of the first partner to the contact point
   bool sliding = false;           ///< at the Coulomb limit
 };

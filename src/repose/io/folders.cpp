@@ -18,14 +18,14 @@ namespace fs = std::filesystem;
 
 namespace repose {
 
-bool is_there(const fs::path& path) {
+bool path_exists(const fs::path& path) {
   std::error_code error;
   return fs::exists(path, error);
 }
 
 fs::path existing_ancestor(fs::path path) {
   path = fs::absolute(path);
-  while (!is_there(path) && path.has_relative_path()) path = path.parent_path();
+  while (!path_exists(path) && path.has_relative_path()) path = path.parent_path();
   return path;
 }
 

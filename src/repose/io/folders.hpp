@@ -9,7 +9,7 @@
 namespace repose {
 
 /// Whether a file or folder of this name exists.
-bool is_there(const std::filesystem::path& path);
+bool path_exists(const std::filesystem::path& path);
 
 /// The nearest existing folder at or above a path.
 std::filesystem::path existing_ancestor(std::filesystem::path path);

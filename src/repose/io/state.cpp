@@ -40,7 +40,9 @@ const Columns<std::vector<Contact<D>>>& contact_columns() {
       column("normal_force", &Row::normal_force, "M L/T^2", "on the first, positive pushes apart"),
       column("tangential_force", &Row::tangential_force, "M L/T^2",
              "on the first, along the normal turned by +90 degrees"),
-      column("history", &Row::history, "L", "accumulated tangential displacement"),
+      column("history", &Row::slip, "L",
+             "slip displacement: the relative tangential displacement since the contact closed, kept within the "
+             "Coulomb limit"),
       column("sliding", &Row::sliding, "", "1: at the Coulomb limit"),
   };
   return columns;
@@ -107,7 +109,7 @@ std::string state_hash(const Grains<2>& grains, const Contacts<2>& contacts) {
   for (const auto& contact : contacts.list) {
     add(contact.first);
     add(contact.second);
-    add(contact.history);
+    add(contact.slip);
   }
   return hash.text();
 }

@@ -70,7 +70,7 @@ class Method {
 
   /// Sets the slip displacements of contacts to those of another run, as its `contacts` reported them; pairs are found
   /// by ids. The Simulation calls this at the start, after a refresh.
-  virtual void set_histories(const Grains<D>& /*grains*/, const Contacts<D>& /*contacts*/) {}
+  virtual void set_slip_displacements(const Grains<D>& /*grains*/, const Contacts<D>& /*contacts*/) {}
 
   /// Sets the outer forces from now on. The list may only grow; a load that ends becomes zero.
   virtual void set_loads(const std::vector<Load<D>>& /*loads*/) {}
@@ -88,7 +88,8 @@ class Method {
   virtual SolverAccount take_solver_account() { return {}; }
 
   /// The contact problem of the step that begins at a time [T], not yet solved. The time is that of the grains, and
-  /// contacts start from the slip displacements of `set_histories`. Null for a method that poses no contact problem.
+  /// contacts start from the slip displacements of `set_slip_displacements`. Null for a method that poses no contact
+  /// problem.
   virtual const contact_dynamics::Problem<D>* problem_at(double /*time*/, Grains<D>& /*grains*/, Team& /*team*/) {
     return nullptr;
   }

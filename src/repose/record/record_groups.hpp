@@ -24,7 +24,7 @@ const Group<std::vector<RecordedWall>>& wall_group();
 const Group<std::vector<SeriesRow>>& series_group();
 const Columns<Record>& wall_series_columns();
 
-/// The account of the energy and what the solver did, row by row of the time series.
+/// The energy budget and what the solver did, row by row of the time series.
 const Group<std::vector<SeriesRow>>& energy_group();
 const Group<std::vector<SeriesRow>>& solver_group();
 

@@ -98,7 +98,7 @@ Checkpoint::Checkpoint(const std::string& folder, int slot)
 std::unique_ptr<Checkpoint> Checkpoint::latest(const std::string& folder, std::vector<std::string>& damaged) {
   std::unique_ptr<Checkpoint> found;
   for (const int slot : {0, 1}) {
-    if (!is_there(path_of(folder, slot))) continue;
+    if (!path_exists(path_of(folder, slot))) continue;
     try {
       std::unique_ptr<Checkpoint> one(new Checkpoint(folder, slot));
       if (!found || one->step_ > found->step_) found = std::move(one);

@@ -34,7 +34,7 @@ std::vector<std::string> frame_files(const ExportOrder& order) {
   std::vector<std::string> missing;
   for (const auto& name : run.names_in("frames")) {
     files.push_back(fmt::format("{}/frames/{}.h5", order.folder, name));
-    if (!is_there(files.back())) {
+    if (!path_exists(files.back())) {
       missing.push_back(fmt::format("{}: is missing; --frames last does without", files.back()));
     }
   }
@@ -95,7 +95,7 @@ void export_ovito(const ExportOrder& order, const std::string& folder, Exported&
 void export_csv(const ExportOrder& order, const std::string& folder, Exported& done) {
   for (const auto* name : {"run.h5", "analysis.h5"}) {
     const auto path = order.folder + "/" + name;
-    if (!is_there(path)) continue;  // nobody has analysed the run
+    if (!path_exists(path)) continue;  // nobody has analysed the run
     const Hdf5Reader file(path);
     const std::string prefix = file.text("/", "format") == "repose-run" ? "" : "analysis_";
     for (const auto& table : csv_tables(file)) {
@@ -135,12 +135,13 @@ void move_in(const fs::path& from, const fs::path& to) {
 Exported export_run(const ExportOrder& order) {
   std::error_code error;
   if (!fs::is_directory(order.folder, error)) throw InputError(fmt::format("{}: no such folder", order.folder));
-  if (!is_there(order.folder + "/run.h5")) throw InputError(fmt::format("{}: holds no run: no run.h5", order.folder));
+  if (!path_exists(order.folder + "/run.h5"))
+    throw InputError(fmt::format("{}: holds no run: no run.h5", order.folder));
   read_run_facts(order.folder);  // throws before anything is written
   Exported done;
   done.folder = order.out.empty() ? order.folder + "/export/" + order.to : order.out;
   if (const auto problems = folder_problems(done.folder); !problems.empty()) throw InputError(problems);
-  const bool may_replace = order.overwrite || order.out.empty() || !is_there(done.folder);
+  const bool may_replace = order.overwrite || order.out.empty() || !path_exists(done.folder);
   if (!may_replace && !fs::is_empty(done.folder)) {
     throw InputError(fmt::format("{}: folder is not empty; choose another --out, or --overwrite", done.folder));
   }

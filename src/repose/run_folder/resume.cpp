@@ -29,7 +29,7 @@ Status status_in(const std::string& folder) {
 /// The last file of a finished run is its summary. Where a kill came between run.h5 and that, what is missing is made.
 bool complete_analysis(const std::string& folder) {
   const auto path = folder + "/summary.json";
-  if (is_there(path) && summary_status(text_of_file(path)) == status_text(Status::finished)) return false;
+  if (path_exists(path) && summary_status(text_of_file(path)) == status_text(Status::finished)) return false;
   const auto record = read_record(folder);
   write_results(folder, record, analyse(record));
   return true;
@@ -42,7 +42,7 @@ InterruptedRun find_interrupted(const std::string& folder) {
   run.lock = std::make_unique<FolderLock>(folder);
   RunFolder::complete_start(folder);
   for (const auto* name : {"scene.toml", "run.h5"}) {
-    if (!is_there(std::filesystem::path(folder) / name)) {
+    if (!path_exists(std::filesystem::path(folder) / name)) {
       throw InputError(fmt::format("{}: holds no run: no {}", folder, name));
     }
   }

@@ -32,7 +32,7 @@ constexpr const char* unready = "new";
 constexpr const char* ready = "ready";
 
 bool holds_a_run(const fs::path& path) {
-  return is_there(path / ready) || (is_there(path / "scene.toml") && is_there(path / "run.h5"));
+  return path_exists(path / ready) || (path_exists(path / "scene.toml") && path_exists(path / "run.h5"));
 }
 
 /// Empty but for a start that was cut off before it was whole.
@@ -60,7 +60,7 @@ void clear_older_run(const fs::path& path) {
 
 std::vector<std::string> RunFolder::problems(const std::string& path, bool overwrite) {
   auto found = folder_problems(path);
-  if (!found.empty() || !is_there(path) || holds_nothing(path)) return found;
+  if (!found.empty() || !path_exists(path) || holds_nothing(path)) return found;
   if (!overwrite) return {fmt::format("{}: folder is not empty; choose another --out, or --overwrite", path)};
   if (!holds_a_run(path)) {
     return {fmt::format("{}: folder is not empty and holds no run, so --overwrite leaves it alone", path)};
@@ -70,13 +70,13 @@ std::vector<std::string> RunFolder::problems(const std::string& path, bool overw
 
 void RunFolder::complete_start(const std::string& path) {
   const auto start = fs::path(path) / ready;
-  if (!is_there(start)) return;
+  if (!path_exists(start)) return;
   // An older run goes first, so that as long as nothing of the start has been moved, some of it may still be there.
-  if (std::all_of(std::begin(own_files), std::end(own_files), [&](auto* name) { return is_there(start / name); })) {
+  if (std::all_of(std::begin(own_files), std::end(own_files), [&](auto* name) { return path_exists(start / name); })) {
     clear_older_run(path);
   }
   for (const auto* name : own_files) {
-    if (is_there(start / name)) fs::rename(start / name, fs::path(path) / name);
+    if (path_exists(start / name)) fs::rename(start / name, fs::path(path) / name);
   }
   // What the run starts from last: were it there while the others are not, it would go with an older run.
   for (const auto& file : start_files(start)) fs::rename(file, fs::path(path) / file.filename());

@@ -24,7 +24,7 @@ struct MethodTraits {
   bool follows_time = true;
   bool force_laws = false;     ///< contacts have laws of force, and explicit steps are judged by their stiffness
   bool impulse_laws = false;   ///< grains are rigid: contacts have the law of impulses
-  bool keeps_energy = false;   ///< can keep account of the energy
+  bool keeps_energy = false;   ///< can keep the energy budget
   double contact_gap = 1e-9;   ///< [mean diameters] closer grains touch in a packing, unless the scene says otherwise
   double typical_speed = 1e7;  ///< grain-steps per second of one core, roughly
 

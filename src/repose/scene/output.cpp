@@ -43,7 +43,7 @@ void file_keys(Scene& scene, Parameters& keys) {
               "interval between checkpoints, from which a run resumes after a crash; 0: only when it is interrupted");
   if (traits.keeps_energy) {
     keys.flag("output.energy", output.energy,
-              "keep account of the energy in a series of its own; a slower kernel, which gives the same bits");
+              "keep the energy budget in a series of its own; a slower kernel, which gives the same bits");
   }
 }
 

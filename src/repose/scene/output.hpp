@@ -25,7 +25,7 @@ struct OutputKeys {
   double window = unset;     ///< [T] over which base forces are averaged
   double track = 0.0;        ///< [T] between two moments of the track; 0: none
   double checkpoint = 60.0;  ///< [s] of wall time between checkpoints; 0: only when interrupted
-  bool energy = false;       ///< keep account of the energy
+  bool energy = false;       ///< keep the energy budget
 };
 
 struct AnalysisKeys {

@@ -87,7 +87,7 @@ void Simulation::begin() {
   begin_due_loads();
   refresh();
   if (const auto remembered = contacts_at_start(scene_); remembered.size() > 0) {
-    method_->set_histories(grains_, remembered);
+    method_->set_slip_displacements(grains_, remembered);
   }
   if (max_overlap(contacts()) > largest_overlap) stop(Status::failed, describe_trouble(*this));
 }

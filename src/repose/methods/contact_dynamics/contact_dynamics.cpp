@@ -47,7 +47,7 @@ template <int D>
 bool ContactDynamics<D>::step(Grains<D>& grains, Team& team) {
   pose(grains, team);
   solve();
-  hand_over_reactions(grains);
+  add_reactions(grains);
   return move(grains);
 }
 
@@ -167,7 +167,7 @@ void ContactDynamics<D>::solve() {
 
 /// Adds the contact impulses to the reactions of fixed grains and walls.
 template <int D>
-void ContactDynamics<D>::hand_over_reactions(Grains<D>& grains) {
+void ContactDynamics<D>::add_reactions(Grains<D>& grains) {
   for (const auto& c : problem_.contacts) {
     const Vec<D> impulse = c.normal * c.impulse.normal + in_space(c.impulse.tangent, c.normal);
     if (problem_.free[c.first].inverse_mass == 0.0) grains.reaction[c.first] += impulse;
@@ -248,7 +248,7 @@ Contacts<D> ContactDynamics<D>::contacts(const Grains<D>& grains) const {
 }
 
 template <int D>
-void ContactDynamics<D>::set_histories(const Grains<D>& grains, const Contacts<D>& contacts) {
+void ContactDynamics<D>::set_slip_displacements(const Grains<D>& grains, const Contacts<D>& contacts) {
   std::map<std::int64_t, std::uint32_t> place;
   for (std::uint32_t k = 0; k < grains.size(); ++k) place[grains.id[k]] = k;
   problem_.contacts.clear();

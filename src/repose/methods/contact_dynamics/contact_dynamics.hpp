@@ -30,7 +30,7 @@ class ContactDynamics final : public Method<D> {
   Contacts<D> contacts(const Grains<D>& grains) const override;
   void set_loads(const std::vector<Load<D>>& loads) override { loads_ = loads; }
   /// Contacts start from the impulses that go with these forces.
-  void set_histories(const Grains<D>& grains, const Contacts<D>& contacts) override;
+  void set_slip_displacements(const Grains<D>& grains, const Contacts<D>& contacts) override;
   const std::vector<WallState>& walls() const override { return walls_; }
   std::vector<Vec<D>> take_wall_impulses() override;
   SolverAccount take_solver_account() override { return std::exchange(account_, {}); }
@@ -55,7 +55,7 @@ class ContactDynamics final : public Method<D> {
   void find_contacts(const Grains<D>& grains);
   void solve();
   bool move(Grains<D>& grains);
-  void hand_over_reactions(Grains<D>& grains);
+  void add_reactions(Grains<D>& grains);
   std::vector<WallNow<D>> walls_now() const;
 
   ImpulseLaws laws_;

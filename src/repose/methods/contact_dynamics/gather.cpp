@@ -34,17 +34,17 @@ struct Approach {
 template <int D>
 class Gathering {
  public:
-  Gathering(const Scenery<D>& scenery, const Grains<D>& grains, const std::vector<ContactLine<D>>& before,
+  Gathering(const GatherInput<D>& input, const Grains<D>& grains, const std::vector<ContactLine<D>>& before,
             Problem<D>& problem)
-      : scenery_(scenery), grains_(grains), old_(before.begin()), old_end_(before.end()), problem_(problem) {
-    const double dt = scenery.settings.time_step;
-    fall_ = margin_of_fall * magnitude(scenery.settings.gravity) * dt * dt;
+      : input_(input), grains_(grains), old_(before.begin()), old_end_(before.end()), problem_(problem) {
+    const double dt = input.settings.time_step;
+    fall_ = margin_of_fall * magnitude(input.settings.gravity) * dt * dt;
   }
 
   void grain(std::uint32_t i, std::uint32_t j) {
     const auto& a = grains_.line[i];
     const auto& b = grains_.line[j];
-    const Vec<D> d = separation(a.position, b.position, scenery_.settings.box);
+    const Vec<D> d = separation(a.position, b.position, input_.settings.box);
     const double radii = a.radius + b.radius;
     const double distance2 = squared(d);
     // Most listed pairs are far apart: this avoids the root for them.
@@ -56,21 +56,21 @@ class Gathering {
     auto line = begin_line(approach, i, j);
     line.lever = distance / radii;
     line.first_turn = approach.radius / a.radius;
-    finish(line, approach, scenery_.laws.of(grains_.material[i], grains_.material[j]), as_body(b));
+    finish(line, approach, input_.laws.of(grains_.material[i], grains_.material[j]), as_body(b));
   }
 
   void wall(std::uint32_t i, std::uint32_t w) {
     const auto& a = grains_.line[i];
-    const auto& wall = scenery_.settings.walls[w];
-    const auto& now = scenery_.walls[w];
+    const auto& wall = input_.settings.walls[w];
+    const auto& now = input_.walls[w];
     if (!now.present) return;
     const Vec<D> from_point =
-        wall.finite() ? separation(a.position, now.point, scenery_.settings.box) : Vec<D>(a.position - now.point);
+        wall.finite() ? separation(a.position, now.point, input_.settings.box) : Vec<D>(a.position - now.point);
     const auto place = above(wall, from_point);
     const Approach<D> approach{place.normal, place.height - (wall.smooth ? 2.0 : 1.0) * a.radius, a.radius};
     const auto body = static_cast<std::uint32_t>(grains_.size()) + w;
     if (!meets(approach, i, body)) return;
-    auto law = scenery_.laws.of(grains_.material[i], wall.material);
+    auto law = input_.laws.of(grains_.material[i], wall.material);
     if (wall.smooth) law.friction = law.dynamic_friction = law.rolling_friction = 0.0;
     auto line = begin_line(approach, i, body);
     finish(line, approach, law, problem_.free[body]);
@@ -79,14 +79,14 @@ class Gathering {
  private:
   double relative_displacement(std::uint32_t i, std::uint32_t j) const {
     const Vec<D> relative = problem_.free[i].velocity - problem_.free[j].velocity;
-    return magnitude(relative) * scenery_.settings.time_step;
+    return magnitude(relative) * input_.settings.time_step;
   }
 
   static Body<D> as_body(const Grain<D>& grain) { return {grain.velocity, grain.rim_velocity, grain.inverse_mass}; }
 
   double closing_distance(const Approach<D>& approach, std::uint32_t i, std::uint32_t j) const {
     const Vec<D> relative = problem_.free[j].velocity - problem_.free[i].velocity;
-    return dot(relative, approach.normal) * scenery_.settings.time_step;
+    return dot(relative, approach.normal) * input_.settings.time_step;
   }
 
   bool meets(const Approach<D>& approach, std::uint32_t i, std::uint32_t j) const {
@@ -127,7 +127,7 @@ class Gathering {
   /// immediately, because the condition on the gap would brake it first. An overlap is corrected gradually.
   double normal_bias(const Approach<D>& approach, const ImpulseLaw& law, double opening,
                      double closing_distance) const {
-    const auto& settings = scenery_.settings;
+    const auto& settings = input_.settings;
     const double overlap = std::max(0.0, -approach.gap - settled_overlap * approach.radius);
     const double recovery =
         -settings.overlap_recovery * std::min(overlap, margin_of_radius * approach.radius) / settings.time_step;
@@ -136,7 +136,7 @@ class Gathering {
     return approach.gap > 0.0 ? approach.gap / settings.time_step : recovery;
   }
 
-  const Scenery<D>& scenery_;
+  const GatherInput<D>& input_;
   const Grains<D>& grains_;
   typename std::vector<ContactLine<D>>::const_iterator old_;
   typename std::vector<ContactLine<D>>::const_iterator old_end_;
@@ -147,12 +147,12 @@ class Gathering {
 }  // namespace
 
 template <int D>
-void gather(const Scenery<D>& scenery, const Grains<D>& grains, const PairList<D>& pairs,
+void gather(const GatherInput<D>& input, const Grains<D>& grains, const PairList<D>& pairs,
             const std::vector<ContactLine<D>>& before, Problem<D>& problem) {
   problem.contacts.clear();
   problem.rolling = false;
-  Gathering<D> gathering(scenery, grains, before, problem);
-  const auto walls = static_cast<std::uint32_t>(scenery.walls.size());
+  Gathering<D> gathering(input, grains, before, problem);
+  const auto walls = static_cast<std::uint32_t>(input.walls.size());
   for (std::uint32_t i = 0; i < pairs.rows(); ++i) {
     for (auto k = pairs.row_start[i]; k < pairs.row_start[i + 1]; ++k) gathering.grain(i, pairs.partner[k]);
     if (grains.line[i].fixed()) continue;
@@ -195,9 +195,9 @@ void renumber(const std::vector<std::uint32_t>& order, std::size_t grains_before
   contacts.swap(in_order);
 }
 
-template void gather(const Scenery<2>&, const Grains<2>&, const PairList<2>&, const std::vector<ContactLine<2>>&,
+template void gather(const GatherInput<2>&, const Grains<2>&, const PairList<2>&, const std::vector<ContactLine<2>>&,
                      Problem<2>&);
-template void gather(const Scenery<3>&, const Grains<3>&, const PairList<3>&, const std::vector<ContactLine<3>>&,
+template void gather(const GatherInput<3>&, const Grains<3>&, const PairList<3>&, const std::vector<ContactLine<3>>&,
                      Problem<3>&);
 template void renumber(const std::vector<std::uint32_t>&, std::size_t, std::vector<ContactLine<2>>&);
 template void renumber(const std::vector<std::uint32_t>&, std::size_t, std::vector<ContactLine<3>>&);

@@ -15,7 +15,7 @@ namespace repose::contact_dynamics {
 
 /// The fixed input of the search for contacts.
 template <int D>
-struct Scenery {
+struct GatherInput {
   const ImpulseLaws& laws;
   const ContactDynamicsSettings<D>& settings;
   const std::vector<WallNow<D>>& walls;  ///< the walls at the start of the step
@@ -26,7 +26,7 @@ struct Scenery {
 /// `problem` holds the free velocities; `grains` has the velocities before the step. Impulses start from those of
 /// `before`, the contacts of the previous step, in the same order of bodies.
 template <int D>
-void gather(const Scenery<D>& scenery, const Grains<D>& grains, const PairList<D>& pairs,
+void gather(const GatherInput<D>& input, const Grains<D>& grains, const PairList<D>& pairs,
             const std::vector<ContactLine<D>>& before, Problem<D>& problem);
 
 /// Renumbers the bodies of contacts after grains were reordered or dropped, and sorts the contacts into the order of

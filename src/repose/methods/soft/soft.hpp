@@ -101,7 +101,7 @@ class Soft final : public Method<D> {
     pairs_.invalidate();  // the next build finds the loaded grains
   }
 
-  void set_histories(const Grains<D>& grains, const Contacts<D>& contacts) override;
+  void set_slip_displacements(const Grains<D>& grains, const Contacts<D>& contacts) override;
 
   const std::vector<WallState>& walls() const override { return walls_; }
   std::vector<Vec<D>> take_wall_impulses() override { return wall_list_.take_impulses(walls_.size()); }
@@ -326,9 +326,9 @@ Contacts<D> Soft<D, Law, Full>::contacts(const Grains<D>& grains) const {
 }
 
 template <int D, class Law, bool Full>
-void Soft<D, Law, Full>::set_histories(const Grains<D>& grains, const Contacts<D>& contacts) {
+void Soft<D, Law, Full>::set_slip_displacements(const Grains<D>& grains, const Contacts<D>& contacts) {
   std::map<std::pair<std::int64_t, std::int64_t>, Tangent<D>> known;
-  for (const auto& contact : contacts.list) known[{contact.first, contact.second}] = contact.history;
+  for (const auto& contact : contacts.list) known[{contact.first, contact.second}] = contact.slip;
   const auto of = [&](std::int64_t first, std::int64_t second) {
     const auto found = known.find({first, second});
     return found == known.end() ? Tangent<D>{} : found->second;
