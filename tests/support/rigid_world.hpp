@@ -20,6 +20,7 @@ template <int D>
 class RigidWorld {
  public:
   RigidWorld(const ImpulseLaw& law, const ContactDynamicsSettings<D>& settings) : method(ImpulseLaws(law), settings) {}
+  RigidWorld(const ImpulseLaws& laws, const ContactDynamicsSettings<D>& settings) : method(laws, settings) {}
 
   std::int64_t add(Vec<D> position, Vec<D> velocity = {}, Spin<D> spin = {}, double radius = 0.5, bool fixed = false) {
     Grain<D> grain;

@@ -52,6 +52,10 @@ std::string describe_solver(const Record& record) {
         "method.tolerance = {:g}; a packing creeps while that lasts\n",
         all.unconverged, all.steps, solver->most_sweeps, all.worst_residual, solver->tolerance);
   }
+  if (all.reduced > 0) {
+    text += fmt::format("restitution      gave way in {} of {} impacts, so that the kinetic energy does not rise\n",
+                        all.reduced, all.impacts);
+  }
   return text;
 }
 

@@ -15,12 +15,18 @@ struct SolverAccount {
   std::int64_t contact_iterations = 0;  ///< visits of contacts; forward and backward count as two
   std::int64_t unconverged = 0;         ///< steps that reached the limit on sweeps
   double worst_residual = 0.0;          ///< [gravity times time step] the largest of all steps
+  std::int64_t impacts = 0;             ///< impacts of contacts with restitution
+  std::int64_t reduced = 0;             ///< impacts whose restitution gave way, so that energy does not rise
+  double restitution_lost = 0.0;        ///< sum over impacts of the fraction of restitution that gave way
 
   SolverAccount& operator+=(const SolverAccount& b) {
     steps += b.steps;
     sweeps += b.sweeps;
     contact_iterations += b.contact_iterations;
     unconverged += b.unconverged;
+    impacts += b.impacts;
+    reduced += b.reduced;
+    restitution_lost += b.restitution_lost;
     worst_residual = std::max(worst_residual, b.worst_residual);
     return *this;
   }

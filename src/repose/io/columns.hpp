@@ -32,6 +32,7 @@ struct Column {
   /// Gives the values back and returns how many rows the file has. Empty where they follow from other columns.
   std::function<std::size_t(const Hdf5Reader&, const std::string& path, From&)> read = {};
   std::string rows = {};  ///< letter for the number of rows in the reference, where it is not that of the group
+  bool newer = false;     ///< files of older programs do not have it: reading leaves the values as they are
 };
 
 template <class From>
@@ -75,7 +76,8 @@ Column<std::vector<Row>> column(const std::string& name, Value Row::*member, con
 /// A column as a larger object writes it: `part` gives what the column is made from.
 template <class From, class Part, class Get>
 Column<From> column_of(const Column<Part>& column, Get part) {
-  Column<From> made{column.name, column.unit, column.meaning, column.columns, column.type, {}, {}, column.rows};
+  Column<From> made{column.name, column.unit, column.meaning, column.columns, column.type,
+                    {},          {},          column.rows,    column.newer};
   made.write = [=](Hdf5File& file, const std::string& path, const From& from) {
     column.write(file, path, std::invoke(part, from));
   };
@@ -110,6 +112,13 @@ Column<From> array(const std::string& name, std::vector<Row> From::*member, cons
   return array<From, std::vector<Row> From::*>(name, member, unit, meaning);
 }
 
+/// The column, which files of older programs do not have.
+template <class From>
+Column<From> newer(Column<From> column) {
+  column.newer = true;
+  return column;
+}
+
 /// The column, with as many rows as the letter says.
 template <class From>
 Column<From> with_rows(const std::string& rows, Column<From> column) {
@@ -140,12 +149,13 @@ void write_columns(Hdf5File& file, const std::string& group, const Columns<From>
   for (const auto& column : columns) column.write(file, group + "/" + column.name, from);
 }
 
-/// Throws InputError where a column is missing, or is not as long as the others and `rows`.
+/// Throws InputError where a column is missing that older programs wrote too, or where one is not as long as the others
+/// and `rows`.
 template <class From>
 void read_columns(const Hdf5Reader& file, const std::string& group, const Columns<From>& columns, From& from,
                   std::optional<std::size_t> rows = std::nullopt) {
   for (const auto& column : columns) {
-    if (!column.read) continue;
+    if (!column.read || (column.newer && !file.has(group + "/" + column.name))) continue;
     const auto found = column.read(file, group + "/" + column.name, from);
     if (found != rows.value_or(found)) throw InputError(file.path() + ": " + group + ": the datasets differ in length");
     rows = found;

@@ -119,6 +119,11 @@ const Group<std::vector<SeriesRow>>& solver_group() {
           solver_column("contact_iterations", &SolverAccount::contact_iterations, "",
                         "contacts visited by sweeps, each way counted"),
           solver_column("unconverged", &SolverAccount::unconverged, "", "steps that reached method.most_sweeps"),
+          newer(solver_column("impacts", &SolverAccount::impacts, "", "impacts of contacts with restitution")),
+          newer(solver_column("impacts_reduced", &SolverAccount::reduced, "",
+                              "impacts whose restitution gave way, so that the kinetic energy does not rise")),
+          newer(solver_column("restitution_lost", &SolverAccount::restitution_lost, "",
+                              "sum over impacts of the fraction of restitution that gave way")),
           solver_column("residual", &SolverAccount::worst_residual, "g dt", "worst residual velocity of a contact"),
           column("creep_rate", &SeriesRow::creep_rate, "L/T", "median speed of the grains that touch something"),
       }};

@@ -36,6 +36,7 @@ ContactDynamics<D>::ContactDynamics(ImpulseLaws laws, ContactDynamicsSettings<D>
       settings_(std::move(settings)),
       pairs_(reach_of(settings_)),
       solver_(settings_.solver),
+      impacts_(settings_.solver),
       walls_(settings_.walls.size()),
       wall_impulses_(settings_.walls.size()) {
   REPOSE_ASSERT(settings_.time_step > 0.0);
@@ -57,6 +58,7 @@ void ContactDynamics<D>::pose(Grains<D>& grains, Team& team) {
   refresh_pairs(grains, team);
   set_free_velocities(grains);
   find_contacts(grains);
+  collide(grains);
 }
 
 template <int D>
@@ -86,7 +88,7 @@ void ContactDynamics<D>::refresh_pairs(Grains<D>& grains, Team& team) {
     const double so_far = std::fabs(walls_[w].displacement - walls_at_build_[w].displacement);
     wall_displacement = std::max(wall_displacement, so_far + dt * std::fabs(walls_[w].speed));
   }
-  pairs_.moved(dt * std::sqrt(fastest2));
+  pairs_.moved(dt * std::sqrt(fastest2) + corrected_);
   if (pairs_.may_be_stale() && pairs_.stale(grains, wall_displacement, dt)) build_pairs(grains, team);
 }
 
@@ -98,10 +100,17 @@ void ContactDynamics<D>::build_pairs(Grains<D>& grains, Team& team) {
   walls_at_build_ = walls_;
 }
 
+/// In the first step velocities are those at the time of the positions, unless the state is that of a former run with
+/// the impulses of its last step.
+template <int D>
+contact_dynamics::StepTimes ContactDynamics<D>::times() const {
+  const double dt = settings_.time_step;
+  return {step_ > 0 || follows_ ? 0.5 * dt : 0.0, dt};
+}
+
 template <int D>
 void ContactDynamics<D>::set_free_velocities(const Grains<D>& grains) {
-  // The first kick is half a step, from velocities at the time of the positions.
-  const double kick = step_ > 0 ? settings_.time_step : 0.5 * settings_.time_step;
+  const double kick = times().kick();
   problem_.free.clear();
   for (const auto& grain : grains.line) {
     problem_.free.push_back({grain.velocity, grain.rim_velocity, grain.inverse_mass});
@@ -151,25 +160,76 @@ void ContactDynamics<D>::set_free_wall(std::size_t w, double kick) {
 template <int D>
 void ContactDynamics<D>::find_contacts(const Grains<D>& grains) {
   std::swap(before_, problem_.contacts);
+  // The first step of a fresh run has half a kick; its impulses are half of those of the steps that follow.
+  if (step_ == 1 && !follows_) {
+    for (auto& c : before_) c.impulse = c.impulse * 2.0;
+  }
   const auto walls = walls_now();
-  contact_dynamics::gather<D>({laws_, settings_, walls}, grains, pairs_, before_, problem_);
+  contact_dynamics::gather<D>({laws_, settings_, walls}, grains, pairs_, before_, problem_, gathered_);
+}
+
+/// Lets impacts act on the free velocities.
+template <int D>
+void ContactDynamics<D>::collide(const Grains<D>& grains) {
+  std::vector<contact_dynamics::Body<D>> before;
+  if (!gathered_.closing.empty()) {
+    for (const auto& grain : grains.line) before.push_back({grain.velocity, grain.rim_velocity, grain.inverse_mass});
+    before.insert(before.end(), problem_.free.begin() + static_cast<std::ptrdiff_t>(grains.size()),
+                  problem_.free.end());
+  }
+  const auto report = impacts_.act(before, times(), gathered_.closing, problem_);
+  account_.sweeps += report.solution.sweeps;
+  account_.contact_iterations += 2 * report.contact_sweeps;
+  account_.impacts += report.impacts;
+  account_.reduced += report.reduced;
+  account_.restitution_lost += report.restitution_lost;
+  impacts_converged_ = report.solution.converged;
 }
 
 template <int D>
 void ContactDynamics<D>::solve() {
   solution_ = solver_.solve(problem_);
+  contact_dynamics::take_back_gains(problem_);
   ++account_.steps;
   account_.sweeps += solution_.sweeps;
   account_.contact_iterations += 2 * solution_.sweeps * static_cast<long>(problem_.contacts.size());
-  account_.unconverged += solution_.converged ? 0 : 1;
+  account_.unconverged += solution_.converged && impacts_converged_ ? 0 : 1;
   account_.worst_residual = std::max(account_.worst_residual, solution_.residual);
+}
+
+/// The impulse of a contact in the last step, that of impacts included.
+template <int D>
+contact_dynamics::Impulse<D> ContactDynamics<D>::impulse_of(std::size_t contact) const {
+  auto impulse = problem_.contacts[contact].impulse;
+  if (!impacts_.impulses().empty()) impulse += impacts_.impulses()[contact];
+  return impulse;
+}
+
+/// The displacements that correct the positions after velocity times step [L]: impacts turn where bodies touch, and a
+/// fraction of every overlap is taken back, without a velocity that would stay.
+template <int D>
+std::vector<Vec<D>> ContactDynamics<D>::corrections(const Grains<D>& grains) {
+  auto all = impacts_.displacements(times(), problem_);
+  all.resize(grains.size());
+  for (const auto& overlap : gathered_.overlaps) {
+    const auto& c = problem_.contacts[overlap.contact];
+    const double first = grains.line[c.first].inverse_mass;
+    const double second = c.second < grains.size() ? grains.line[c.second].inverse_mass : 0.0;
+    if (!(first + second > 0.0)) continue;
+    const Vec<D> apart = c.normal * (settings_.overlap_recovery * overlap.depth / (first + second));
+    all[c.first] += apart * first;
+    if (c.second < grains.size()) all[c.second] -= apart * second;
+  }
+  return all;
 }
 
 /// Adds the contact impulses to the reactions of fixed grains and walls.
 template <int D>
 void ContactDynamics<D>::add_reactions(Grains<D>& grains) {
-  for (const auto& c : problem_.contacts) {
-    const Vec<D> impulse = c.normal * c.impulse.normal + in_space(c.impulse.tangent, c.normal);
+  for (std::size_t k = 0; k < problem_.contacts.size(); ++k) {
+    const auto& c = problem_.contacts[k];
+    const auto both = impulse_of(k);
+    const Vec<D> impulse = c.normal * both.normal + in_space(both.tangent, c.normal);
     if (problem_.free[c.first].inverse_mass == 0.0) grains.reaction[c.first] += impulse;
     if (c.second >= grains.size()) {
       const auto w = c.second - grains.size();
@@ -186,12 +246,15 @@ template <int D>
 bool ContactDynamics<D>::move(Grains<D>& grains) {
   const double dt = settings_.time_step;
   bool fine = true;
+  const auto correction = corrections(grains);
+  corrected_ = 0.0;
   for (std::size_t i = 0; i < grains.size(); ++i) {
     auto& grain = grains.line[i];
     if (grain.fixed()) continue;
     grain.velocity = problem_.bodies[i].velocity;
     grain.rim_velocity = problem_.bodies[i].rim_velocity;
-    grain.position += grain.velocity * dt;
+    grain.position += grain.velocity * dt + correction[i];
+    corrected_ = std::max(corrected_, magnitude(correction[i]));
     const double displacement = magnitude(grain.velocity) * dt;
     fine &= displacement <= grain.radius && std::isfinite(magnitude(grain.rim_velocity));
   }
@@ -226,10 +289,13 @@ void ContactDynamics<D>::refresh(Grains<D>& grains, Team& team) {
 template <int D>
 Contacts<D> ContactDynamics<D>::contacts(const Grains<D>& grains) const {
   Contacts<D> contacts;
-  const double rate = 1.0 / settings_.time_step;
+  // The last step is the one before `step_`; the first of a fresh run has half a kick.
+  const double rate = 1.0 / (step_ > 1 || follows_ ? settings_.time_step : 0.5 * settings_.time_step);
   const auto walls = walls_now();
-  for (const auto& c : problem_.contacts) {
-    if (!(c.impulse.normal > 0.0) || c.first >= grains.size()) continue;
+  for (std::size_t k = 0; k < problem_.contacts.size(); ++k) {
+    const auto& c = problem_.contacts[k];
+    const auto impulse = impulse_of(k);
+    if (!(impulse.normal > 0.0) || c.first >= grains.size()) continue;
     const bool with_wall = c.second >= known_;
     const bool swap = !with_wall && grains.id[c.second] < grains.id[c.first];
     const auto first = swap ? c.second : c.first;
@@ -237,10 +303,10 @@ Contacts<D> ContactDynamics<D>::contacts(const Grains<D>& grains) const {
     auto contact = with_wall ? contact_with_wall(grains, first, settings_.walls, w, walls[w], settings_.box)
                              : contact_of_grains(grains, first, swap ? c.first : c.second, settings_.box);
     contact.first_lever = c.lever * grains.line[first].radius;
-    const double limit = friction_limit(c.friction, c.impulse.normal);
-    contact.normal_force = c.impulse.normal * rate;
-    contact.tangential_force = (swap ? swapped(c.impulse.tangent) : c.impulse.tangent) * rate;
-    contact.sliding = limit > 0.0 && magnitude(c.impulse.tangent) >= limit * (1.0 - 1e-9);
+    const double limit = friction_limit(c.friction, impulse.normal);
+    contact.normal_force = impulse.normal * rate;
+    contact.tangential_force = (swap ? swapped(impulse.tangent) : impulse.tangent) * rate;
+    contact.sliding = limit > 0.0 && magnitude(impulse.tangent) >= limit * (1.0 - 1e-9);
     contacts.list.push_back(contact);
   }
   contacts.sort();
@@ -252,6 +318,7 @@ void ContactDynamics<D>::set_slip_displacements(const Grains<D>& grains, const C
   std::map<std::int64_t, std::uint32_t> place;
   for (std::uint32_t k = 0; k < grains.size(); ++k) place[grains.id[k]] = k;
   problem_.contacts.clear();
+  follows_ = !contacts.list.empty();
   for (const auto& contact : contacts.list) {
     const auto first = place.find(contact.first);
     const auto second = place.find(contact.second);
@@ -284,13 +351,18 @@ void ContactDynamics<D>::exchange(Archive& archive) {
   archive.array("walls/at_build", walls_at_build_);
   archive.array("walls/impulse", wall_impulses_);
   archive.array("loads/list", loads_);
+  archive.value("follows", follows_);
+  archive.value("corrected", corrected_);
   archive.array("contacts", problem_.contacts);
+  impacts_.exchange(archive);
   archive.value("solver/account", account_);
   archive.value("solver/last", solution_);
   pairs_.exchange(archive);
   for (const auto& c : problem_.contacts) {
     archive.check("contacts", c.first < known_ && c.second < known_ + walls_.size() && c.first < c.second);
   }
+  const auto rebounds = impacts_.impulses().size();
+  archive.check("impacts/impulses", rebounds == 0 || rebounds == problem_.contacts.size());
 }
 
 template class ContactDynamics<2>;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "repose/laws/impulse_law.hpp"
-#include "repose/methods/contact_dynamics/gather.hpp"
+#include "repose/methods/contact_dynamics/impacts.hpp"
 #include "repose/methods/contact_dynamics/settings.hpp"
 #include "repose/methods/contact_dynamics/solver.hpp"
 #include "repose/methods/method.hpp"
@@ -53,8 +53,12 @@ class ContactDynamics final : public Method<D> {
   void limit_speeds();
   void set_free_wall(std::size_t w, double kick);
   void find_contacts(const Grains<D>& grains);
+  void collide(const Grains<D>& grains);
   void solve();
   bool move(Grains<D>& grains);
+  std::vector<Vec<D>> corrections(const Grains<D>& grains);
+  contact_dynamics::StepTimes times() const;
+  contact_dynamics::Impulse<D> impulse_of(std::size_t contact) const;
   void add_reactions(Grains<D>& grains);
   std::vector<WallNow<D>> walls_now() const;
 
@@ -63,14 +67,19 @@ class ContactDynamics final : public Method<D> {
   PairList<D> pairs_;
   contact_dynamics::Problem<D> problem_;
   contact_dynamics::Solver<D> solver_;
+  contact_dynamics::Impacts<D> impacts_;
+  contact_dynamics::Gathered gathered_;
   std::vector<contact_dynamics::ContactLine<D>> before_;  // contacts of the previous step, whose impulses are the start
   std::size_t known_ = 0;                                 // number of grains when bodies were last numbered
   long step_ = 0;
+  bool follows_ = false;    // the first step follows a step of a former run
+  double corrected_ = 0.0;  // [L] the largest correction of a position in the last step
   std::vector<WallState> walls_;
   std::vector<WallState> walls_at_build_;
   std::vector<Vec<D>> wall_impulses_;
   std::vector<Load<D>> loads_;
   contact_dynamics::Solution solution_;
+  bool impacts_converged_ = true;
   SolverAccount account_;
 };
 

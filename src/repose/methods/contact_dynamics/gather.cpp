@@ -18,10 +18,11 @@ namespace {
 constexpr double margin_of_radius = 0.05;
 constexpr double margin_of_fall = 2.5;
 
-/// Overlap over roll radius that is not corrected. A packing at rest has more contacts than its grains have degrees of
-/// freedom. If every overlap of rounding size were corrected, no impulses could satisfy all contacts, and the solver
-/// would drift.
+/// Overlap over roll radius that is not corrected: what the solver's tolerance leaves.
 constexpr double settled_overlap = 1e-3;
+
+/// Pairs that approach at less than this fraction of gravity times the time step are at rest or settle: no impact.
+constexpr double slowest_impact = 0.02;
 
 /// The geometry of two bodies close to each other.
 template <int D>
@@ -35,10 +36,16 @@ template <int D>
 class Gathering {
  public:
   Gathering(const GatherInput<D>& input, const Grains<D>& grains, const std::vector<ContactLine<D>>& before,
-            Problem<D>& problem)
-      : input_(input), grains_(grains), old_(before.begin()), old_end_(before.end()), problem_(problem) {
+            Problem<D>& problem, Gathered& gathered)
+      : input_(input),
+        grains_(grains),
+        old_(before.begin()),
+        old_end_(before.end()),
+        problem_(problem),
+        gathered_(gathered) {
     const double dt = input.settings.time_step;
     fall_ = margin_of_fall * magnitude(input.settings.gravity) * dt * dt;
+    slow_ = slowest_impact * magnitude(input.settings.gravity) * dt;
   }
 
   void grain(std::uint32_t i, std::uint32_t j) {
@@ -113,27 +120,20 @@ class Gathering {
       const auto& direction = problem_.wall_direction[line.second - problem_.first_wall];
       set_wall_masses(line, first.inverse_mass, other.inverse_mass, direction);
     }
-    const double opening = opening_velocity(line, first, other);
-    const Tangent<D> slip = slip_velocity(line, first, other);
-    line.normal_bias = normal_bias(approach, law, opening, closing_distance(approach, line.first, line.second));
-    line.tangent_bias = slip * law.tangential_restitution;
-    line.friction = friction_at(law, magnitude(slip));
+    line.friction = friction_at(law, magnitude(slip_velocity(line, first, other)));
     line.rolling_friction = law.rolling_friction;
     problem_.rolling |= law.rolling_friction > 0.0;
+    // Signorini's condition on velocities: a gap may just close within the step.
+    line.normal_bias = approach.gap > 0.0 ? approach.gap / input_.settings.time_step : 0.0;
+    const auto place = static_cast<std::uint32_t>(problem_.contacts.size());
+    const bool rebounds = law.restitution > 0.0 || law.tangential_restitution != 0.0;
+    if (rebounds && opening_velocity(line, first, other) < -slow_ &&
+        closing_distance(approach, line.first, line.second) >= approach.gap) {
+      gathered_.closing.push_back({place, approach.gap, law.restitution, law.tangential_restitution});
+    }
+    const double depth = -approach.gap - settled_overlap * approach.radius;
+    if (depth > 0.0) gathered_.overlaps.push_back({place, std::min(depth, margin_of_radius * approach.radius)});
     problem_.contacts.push_back(line);
-  }
-
-  /// Signorini's condition on velocities: the gap may just close within the step. An impact with restitution rebounds
-  /// immediately, because the condition on the gap would brake it first. An overlap is corrected gradually.
-  double normal_bias(const Approach<D>& approach, const ImpulseLaw& law, double opening,
-                     double closing_distance) const {
-    const auto& settings = input_.settings;
-    const double overlap = std::max(0.0, -approach.gap - settled_overlap * approach.radius);
-    const double recovery =
-        -settings.overlap_recovery * std::min(overlap, margin_of_radius * approach.radius) / settings.time_step;
-    const bool impact = law.restitution > 0.0 && opening < 0.0 && closing_distance >= approach.gap;
-    if (impact) return std::min(law.restitution * opening, recovery);
-    return approach.gap > 0.0 ? approach.gap / settings.time_step : recovery;
   }
 
   const GatherInput<D>& input_;
@@ -141,17 +141,21 @@ class Gathering {
   typename std::vector<ContactLine<D>>::const_iterator old_;
   typename std::vector<ContactLine<D>>::const_iterator old_end_;
   Problem<D>& problem_;
+  Gathered& gathered_;
   double fall_ = 0.0;  // [L]
+  double slow_ = 0.0;  // [L/T]
 };
 
 }  // namespace
 
 template <int D>
 void gather(const GatherInput<D>& input, const Grains<D>& grains, const PairList<D>& pairs,
-            const std::vector<ContactLine<D>>& before, Problem<D>& problem) {
+            const std::vector<ContactLine<D>>& before, Problem<D>& problem, Gathered& gathered) {
   problem.contacts.clear();
   problem.rolling = false;
-  Gathering<D> gathering(input, grains, before, problem);
+  gathered.closing.clear();
+  gathered.overlaps.clear();
+  Gathering<D> gathering(input, grains, before, problem, gathered);
   const auto walls = static_cast<std::uint32_t>(input.walls.size());
   for (std::uint32_t i = 0; i < pairs.rows(); ++i) {
     for (auto k = pairs.row_start[i]; k < pairs.row_start[i + 1]; ++k) gathering.grain(i, pairs.partner[k]);
@@ -196,9 +200,9 @@ void renumber(const std::vector<std::uint32_t>& order, std::size_t grains_before
 }
 
 template void gather(const GatherInput<2>&, const Grains<2>&, const PairList<2>&, const std::vector<ContactLine<2>>&,
-                     Problem<2>&);
+                     Problem<2>&, Gathered&);
 template void gather(const GatherInput<3>&, const Grains<3>&, const PairList<3>&, const std::vector<ContactLine<3>>&,
-                     Problem<3>&);
+                     Problem<3>&, Gathered&);
 template void renumber(const std::vector<std::uint32_t>&, std::size_t, std::vector<ContactLine<2>>&);
 template void renumber(const std::vector<std::uint32_t>&, std::size_t, std::vector<ContactLine<3>>&);
 

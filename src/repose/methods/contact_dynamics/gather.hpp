@@ -21,13 +21,33 @@ struct GatherInput {
   const std::vector<WallNow<D>>& walls;  ///< the walls at the start of the step
 };
 
+/// A contact with restitution that closes within the step.
+struct Closing {
+  std::uint32_t contact = 0;            ///< its place among the contacts of the problem
+  double gap = 0.0;                     ///< [L] at the start of the step; negative: an overlap
+  double restitution = 0.0;             ///< normal, 0 to 1
+  double tangential_restitution = 0.0;  ///< -1 to 1
+};
+
+/// A contact that overlaps by more than rounding.
+struct Overlap {
+  std::uint32_t contact = 0;
+  double depth = 0.0;  ///< [L] beyond what is left uncorrected
+};
+
+/// What the search finds beside the contacts themselves.
+struct Gathered {
+  std::vector<Closing> closing;
+  std::vector<Overlap> overlaps;
+};
+
 /// Sets the contacts of a step: pairs that touch, overlap or may touch within the step. They are ordered by the rows of
 /// the pair list; contacts of a grain with walls (wall w is body number of grains + w) follow at the end of its row.
 /// `problem` holds the free velocities; `grains` has the velocities before the step. Impulses start from those of
-/// `before`, the contacts of the previous step, in the same order of bodies.
+/// `before`, the contacts of the previous step, in the same order of bodies. Biases are those of the gaps.
 template <int D>
 void gather(const GatherInput<D>& input, const Grains<D>& grains, const PairList<D>& pairs,
-            const std::vector<ContactLine<D>>& before, Problem<D>& problem);
+            const std::vector<ContactLine<D>>& before, Problem<D>& problem, Gathered& gathered);
 
 /// Renumbers the bodies of contacts after grains were reordered or dropped, and sorts the contacts into the order of
 /// `gather`. `order` is the result of PairList::build, `grains_before` the number of grains before it.

@@ -51,6 +51,32 @@ Violation sliding_violation(const ContactLine<D>& c, double opening, const Tange
   return {std::max(std::fabs(c.impulse.normal) / c.normal_mass, std::fabs(opening)), smaller * sine};
 }
 
+/// The violations of all laws of one contact [L/T].
+template <int D>
+Residual violations(const ContactLine<D>& c, const Body<D>& a, const Body<D>& b) {
+  const double opening = opening_velocity(c, a, b) + c.normal_bias;
+  const Tangent<D> slip = slip_velocity(c, a, b) + c.tangent_bias;
+  const Spin<D> roll = roll_velocity(c, a, b);
+  const auto& p = c.impulse;
+  const Spin<D> turning = project(Spin<D>(p.roll - roll * c.roll_mass), friction_limit(c.rolling_friction, p.normal));
+  Violation violation = natural_map(c, opening, slip);
+  if (std::isinf(c.friction)) {
+    const Violation sliding = sliding_violation(c, opening, slip);
+    if (sliding.worst() < violation.worst()) violation = sliding;
+  }
+  Residual all;
+  all.normal = violation.normal;
+  all.tangential = violation.tangential;
+  all.rolling = magnitude(Spin<D>(p.roll - turning)) / c.roll_mass;
+  all.complementarity = std::fabs(p.normal * opening) / c.normal_mass;
+  return all;
+}
+
+template <int D>
+double violation(const ContactLine<D>& c, const Body<D>& a, const Body<D>& b) {
+  return violations(c, a, b).worst();
+}
+
 template <int D>
 Residual residual(const Problem<D>& problem, std::vector<Body<D>>& bodies) {
   add_impulses(problem, bodies);
@@ -60,22 +86,11 @@ Residual residual(const Problem<D>& problem, std::vector<Body<D>>& bodies) {
     if (!(value <= largest)) largest = std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
   };
   for (const auto& c : problem.contacts) {
-    const auto& a = bodies[c.first];
-    const auto& b = bodies[c.second];
-    const double opening = opening_velocity(c, a, b) + c.normal_bias;
-    const Tangent<D> slip = slip_velocity(c, a, b) + c.tangent_bias;
-    const Spin<D> roll = roll_velocity(c, a, b);
-    const auto& p = c.impulse;
-    const Spin<D> turning = project(Spin<D>(p.roll - roll * c.roll_mass), friction_limit(c.rolling_friction, p.normal));
-    Violation violation = natural_map(c, opening, slip);
-    if (std::isinf(c.friction)) {
-      const Violation sliding = sliding_violation(c, opening, slip);
-      if (sliding.worst() < violation.worst()) violation = sliding;
-    }
-    take(worst.normal, violation.normal);
-    take(worst.tangential, violation.tangential);
-    take(worst.rolling, magnitude(Spin<D>(p.roll - turning)) / c.roll_mass);
-    take(worst.complementarity, std::fabs(p.normal * opening) / c.normal_mass);
+    const auto all = violations(c, bodies[c.first], bodies[c.second]);
+    take(worst.normal, all.normal);
+    take(worst.tangential, all.tangential);
+    take(worst.rolling, all.rolling);
+    take(worst.complementarity, all.complementarity);
   }
   worst.scale = velocity_scale(problem);
   worst.normal /= worst.scale;
@@ -87,6 +102,8 @@ Residual residual(const Problem<D>& problem, std::vector<Body<D>>& bodies) {
 
 template double velocity_scale(const Problem<2>&);
 template double velocity_scale(const Problem<3>&);
+template double violation(const ContactLine<2>&, const Body<2>&, const Body<2>&);
+template double violation(const ContactLine<3>&, const Body<3>&, const Body<3>&);
 template Residual residual(const Problem<2>&, std::vector<Body<2>>&);
 template Residual residual(const Problem<3>&, std::vector<Body<3>>&);
 

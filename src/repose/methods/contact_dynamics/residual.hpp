@@ -37,6 +37,10 @@ Residual residual(const Problem<D>& problem) {
   return residual(problem, bodies);
 }
 
+/// The largest violation of the laws of one contact [L/T], given the velocities of its two bodies.
+template <int D>
+double violation(const ContactLine<D>& c, const Body<D>& a, const Body<D>& b);
+
 /// The unit of the residuals of a problem [L/T]: its own scale if it has one. Otherwise it is the largest formal
 /// closing velocity without impulses, or the largest velocity that a present normal impulse gives to its contact alone,
 /// if that is larger.

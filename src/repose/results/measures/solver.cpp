@@ -23,6 +23,17 @@ void add_solver(Registry& to) {
               account(&SolverAccount::contact_iterations)));
   add(measure("solver.unconverged", "", "steps that reached `method.most_sweeps`",
               account(&SolverAccount::unconverged)));
+  add(measure("solver.impacts", "", "impacts of contacts with restitution", account(&SolverAccount::impacts)));
+  add(measure("solver.impacts_reduced", "",
+              "impacts whose restitution gave way, so that the kinetic energy does not rise",
+              account(&SolverAccount::reduced)));
+  add(measure("solver.restitution_kept", "",
+              "mean over impacts of the fraction of the asked restitution that was kept",
+              [](const Measured& run) -> std::optional<double> {
+                const auto all = solver_account(run.record);
+                if (all.impacts == 0) return std::nullopt;
+                return 1.0 - all.restitution_lost / static_cast<double>(all.impacts);
+              }));
   add(measure("solver.worst_residual", "g dt", "worst residual velocity of a contact",
               account(&SolverAccount::worst_residual)));
   add(measure("solver.tolerance", "g dt", "`method.tolerance` of the scene",
