@@ -228,7 +228,7 @@ def test_a_run_without_the_positions_of_walls_is_analysed_alike(lab):
     result = lab("analyse", "out", "--quiet")
     assert result.returncode == 0, result.stderr
     after = datasets(out / "analysis.h5")
-    assert after.keys() == before.keys() and "/voronoi/fraction" in after
+    assert after.keys() == before.keys() and "/voronoi/vertices" in after
     for name, values in before.items():
         np.testing.assert_array_equal(after[name], values, err_msg=name)
 

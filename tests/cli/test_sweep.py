@@ -121,7 +121,7 @@ def test_killed_at_ten_random_moments_the_table_is_the_same(sweep):
             [PROGRAM, "sweep", "sweep.toml", "--out", "killed", "--quiet"], cwd=sweep.path, start_new_session=True
         )
         try:
-            process.wait(rng.uniform(0.02, 0.25 * duration))
+            process.wait(rng.uniform(0.02, 0.12 * duration))
         except subprocess.TimeoutExpired:
             os.kill(process.pid, signal.SIGKILL)
             process.wait()
