@@ -10,7 +10,7 @@ import h5py
 import numpy as np
 import pytest
 
-from conftest import PROGRAM, summary
+from conftest import PROGRAM, Grains, Laboratory, summary
 
 SEQUENTIAL = """
 [method]
@@ -228,3 +228,67 @@ def test_sequential_source_needs_contact_dynamics(tmp_path):
     scene.write_text("[source]\nkind = \"sequential\"\n[stop]\ntime = 1\n")
     tried = subprocess.run([PROGRAM, "check", scene], capture_output=True, text=True)
     assert tried.returncode == 2 and "source.kind" in tried.stderr
+
+
+RIGID_HEAP = """[method]
+kind = "contact-dynamics"
+tolerance = 1e-5
+[contact]
+friction = 0.5
+[base]
+kind = "row"
+half_width = 12
+[source]
+kind = "pour"
+count = 60
+rate = 1.0
+height = 10
+half_width = 2
+[stop]
+at_rest = 1e-5
+time = 400
+"""
+
+
+def contact_forces(out):
+    with h5py.File(out / "run.h5") as file:
+        pairs = [tuple(pair) for pair in file["contacts/grains"][()]]
+        return dict(zip(pairs, zip(file["contacts/normal_force"][()], file["contacts/tangential_force"][()])))
+
+
+# A rested heap that starts a new run has the forces with which it rested, from the first step on. The bound is 2 % rms
+# of the mean force; the solver's tolerance leaves less.
+@pytest.mark.parametrize("steps", [1, 2, 50])
+def test_a_rested_heap_starts_with_its_forces(tmp_path, steps):
+    lab = Laboratory(tmp_path)
+    first = lab.run(RIGID_HEAP, out="first")
+    assert summary(first)["status"] == "finished" and "at rest" in summary(first)["message"]
+    with h5py.File(first / "run.h5") as file:
+        step = file.attrs["time_step"]
+    before = contact_forces(first)
+    scene = RIGID_HEAP[:RIGID_HEAP.index("[base]")].replace("[contact]", f"time_step = {step!r}\n[contact]")
+    second = lab.run(f"[start]\nfrom = 'first'\n{scene}[stop]\ntime = {steps * step!r}\n[output]\nseries = {step!r}\n",
+                     out="second")
+    after = contact_forces(second)
+    mean = np.mean([normal for normal, _ in before.values()])
+    none = (0.0, 0.0)
+    change = [np.subtract(after.get(pair, none), before.get(pair, none)) for pair in before.keys() | after.keys()]
+    assert np.sqrt(np.mean(np.sum(np.square(change), axis=1))) < 0.02 * mean
+    with h5py.File(second / "run.h5") as file:
+        weight = file["grains/mass"][()][file["grains/fixed"][()] == 0].sum()
+        carried = file["base/normal"][()].sum()  # in weights of a nominal grain
+    assert carried * Grains(second / "run.h5").moving("mass").mean() == pytest.approx(weight, rel=2e-3)
+
+
+# A grain that rolls on is not at rest, however many others are; and rest does not depend on the rows of the series.
+@pytest.mark.parametrize("series", [0.5, 1e12])
+def test_at_rest_is_a_maximum_over_grains(tmp_path, series):
+    lab = Laboratory(tmp_path)
+    still = "".join(f"[[grain]]\nposition = [{-2 - 1.5 * k}, 0.5]\n" for k in range(40))
+    rolling = "[[grain]]\nposition = [0.0, 0.5]\nvelocity = [0.3, 0.0]\nspin = -0.6\n"
+    floor = "[method]\nkind = 'contact-dynamics'\n[base]\nkind = 'plane'\n[box]\nhalf_width = 100\n"
+    stop = f"[stop]\nat_rest = 1e-2\ntime = 60\n[output]\nseries = {series}\n"
+    moving = lab.run(floor + still + rolling + stop, out="moving")
+    assert "stop.time" in summary(moving)["message"]
+    at_rest = lab.run(floor + still + stop, out="still")
+    assert "at rest" in summary(at_rest)["message"] and summary(at_rest)["time"] < 12.0

@@ -51,6 +51,7 @@ Simulation::Simulation(Scene scene, int threads)
       moving_(moving_count(grains_)),
       row_times_(scene_.output.series, steps_),
       base_forces_(grains_, scene_.output.window, 1e-9 * steps_.length),
+      rest_(scene_, steps_),
       track_(Every(scene_.output.track, row_times_)) {
   method_->grains_added(grains_);
 }
@@ -103,11 +104,18 @@ void Simulation::take_batch(double end) {
   if (report.trouble) return stop(Status::failed, describe_trouble(*this));
   const bool out_of_time = time() >= end_;
   const bool complete = method_->complete();
+  const bool at_rest = rests(before);
   const bool row = row_times_.after(before) <= time();
-  const bool extra_row = !row && (out_of_time || complete) && (series().empty() || series().back().time < time());
+  const bool last = out_of_time || complete || at_rest;
+  const bool extra_row = !row && last && (series().empty() || series().back().time < time());
   if (row || extra_row) add_row();
   observe(before, extra_row);
   if (status_ == Status::running && complete) stop(Status::finished, "all grains are there");
+  if (status_ == Status::running && at_rest) {
+    stop(Status::finished,
+         fmt::format("at rest: kinetic energy and net force of every grain below stop.at_rest = {} for output.window",
+                     *scene_.stop.at_rest));
+  }
   if (status_ == Status::running && out_of_time) {
     stop(Status::finished, fmt::format("reached stop.time = {}", *scene_.stop.time));
   }
@@ -119,13 +127,25 @@ void Simulation::take_batch(double end) {
 /// The next time at which anything is due, at most `end`, and at most a batch away.
 double Simulation::next_due(double end) const {
   const double now = time();
-  double next = std::min({end, end_, row_times_.after(now), source_->due(), loads_.due(), track_.due_after(now)});
+  double next = std::min({end, end_, row_times_.after(now), source_->due(), loads_.due(), track_.due_after(now), rest_.due_after(now)});
   if (steps_.equal()) {
     const double batch = longest_batch / (least_cost + method_->grains_per_step(grains_.size()));
     next = std::min(next, steps_.later(now, steps_.after(std::max(1L, static_cast<long>(batch)))));
   }
   for (const auto& observer : observers_) next = std::min(next, observer->due_after(now));
   return next;
+}
+
+/// Whether the last grain has come, no load is to begin, and everything has been at rest for long enough.
+bool Simulation::rests(double before) {
+  if (rest_.due_after(before) > time() || !source_->done() || loads_.due() < infinity) return false;
+  drop_lost_grains();
+  const auto unrest =
+      largest_unrest(grains_, contacts(), loads_.acting(), scene_.gravity, scene_.grains.diameter);
+  const bool lasts = rest_.lasts(unrest, time());
+  // Base forces are averaged over the rest alone.
+  if (rest_.has_just_begun(time())) base_forces_.record(grains_, time());
+  return lasts;
 }
 
 void Simulation::observe(double before, bool extra_row) {
@@ -216,6 +236,7 @@ void Simulation::exchange(Archive& archive) {
   loads_.exchange(archive);
   series_.exchange(archive, method_->walls().size());
   base_forces_.exchange(archive);
+  rest_.exchange(archive);
   source_->exchange(archive);
   grains_.exchange(archive);
   method_->exchange(archive);

@@ -11,6 +11,7 @@
 #include "repose/simulation/base_forces.hpp"
 #include "repose/simulation/loads.hpp"
 #include "repose/simulation/observer.hpp"
+#include "repose/simulation/rest.hpp"
 #include "repose/simulation/series.hpp"
 #include "repose/simulation/sources/source.hpp"
 #include "repose/simulation/track_observer.hpp"
@@ -87,6 +88,7 @@ class Simulation {
   void begin();
   void take_batch(double end);
   double next_due(double end) const;
+  bool rests(double before);
   void add_row();
   void observe(double before, bool extra_row);
   void release_due_grains();
@@ -113,6 +115,7 @@ class Simulation {
   Every row_times_;
   Series series_;
   BaseForces base_forces_;
+  Rest rest_;
   TrackObserver track_;
   std::vector<std::unique_ptr<Observer>> observers_;
 

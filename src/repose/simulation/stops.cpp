@@ -11,15 +11,6 @@
 
 namespace repose {
 
-namespace {
-
-bool at_rest(const Scene& scene, const SeriesRow& row) {
-  const double energy_unit = scene.grain_weight() * scene.grains.diameter;
-  return row.kinetic_energy_per_grain < *scene.stop.at_rest * energy_unit && row.force_residual < *scene.stop.at_rest;
-}
-
-}  // namespace
-
 std::optional<Stop> stop_after_row(const Simulation& simulation, const Source& source) {
   const auto& scene = simulation.scene();
   const auto& row = simulation.series().back();
@@ -30,11 +21,6 @@ std::optional<Stop> stop_after_row(const Simulation& simulation, const Source& s
         fmt::format("{} of {} steps to time {:.6g} did not converge: worst residual {:.3g} of gravity times "
                     "time step, method.tolerance = {} (method.unconverged = \"error\")",
                     row.solver.unconverged, row.solver.steps, row.time, row.solver.worst_residual, solver->tolerance)};
-  }
-  if (scene.stop.at_rest && source.done() && at_rest(scene, row)) {
-    return Stop{Status::finished,
-                fmt::format("at rest: kinetic energy per grain and force residual below stop.at_rest = {}",
-                            *scene.stop.at_rest)};
   }
   const double fall = std::sqrt(scene.grains.diameter / scene.gravity);
   if (!source.done() && source.waiting(row.time) > source.patience() * fall) {

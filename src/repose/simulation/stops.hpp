@@ -18,7 +18,7 @@ struct Stop {
   std::string message;
 };
 
-/// The stop that the last row of the series calls for, if any: trouble, or a scene's rest.
+/// The stop that the last row of the series calls for, if any: trouble.
 std::optional<Stop> stop_after_row(const Simulation& simulation, const Source& source);
 
 }  // namespace repose
