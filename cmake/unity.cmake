@@ -1,0 +1,39 @@
+# SPDX-FileCopyrightText: 2026 The Repose developers
+# SPDX-License-Identifier: BSD-3-Clause
+option(REPOSE_UNITY "Compile some files of a folder together, which parses headers once for all of them" ON)
+
+# Files whose helpers have the same names as those of a neighbour.
+set(compiled_alone
+  src/repose/core/reproducible_powers src/repose/io/grains_table src/repose/theory/osl tests/unit/contact_packs_test
+  tests/theory/pile_continuum_test tests/theory/pile_lattice_test src/repose/sweep/response src/repose/sweep/response_theory src/repose/results/measures/packing_structure
+  src/repose/scene/motions src/repose/scene/reference src/repose/io/lammps_dump src/repose/cli/scene
+  src/repose/cli/command_line/man_page src/repose/cli/command_line/zsh_completion src/repose/analysis/fabric
+  src/repose/analysis/surface src/repose/theory/pile_tent src/repose/theory/point_load
+  tests/unit/reproducible_math_test tests/unit/chains_test tests/unit/contact_dynamics_walls_test tests/unit/fabric_test
+  tests/unit/motion_test tests/unit/simulation_test tests/unit/structure_factor_test tests/theory/osl_test
+  tests/theory/point_load_test)
+
+# Compiles the sources of a target in groups of up to `most` files of one folder.
+function(compile_together target most)
+  if(NOT REPOSE_UNITY)
+    return()
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "^${CMAKE_SOURCE_DIR}/(src|tests)/.*[.]cpp$")
+  foreach(source IN LISTS sources)
+    file(RELATIVE_PATH path ${CMAKE_SOURCE_DIR} ${source})
+    string(REGEX REPLACE "[.]cpp$" "" name ${path})
+    if(name IN_LIST compiled_alone)
+      continue()
+    endif()
+    get_filename_component(folder ${path} DIRECTORY)
+    string(MAKE_C_IDENTIFIER ${folder} folder)
+    if(NOT DEFINED count_${folder})
+      set(count_${folder} 0)
+    endif()
+    math(EXPR group "${count_${folder}} / ${most}")
+    math(EXPR count_${folder} "${count_${folder}} + 1")
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder}_${group})
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
