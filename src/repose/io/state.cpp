@@ -43,6 +43,8 @@ const Columns<std::vector<Contact<D>>>& contact_columns() {
       column("history", &Row::slip, "L",
              "slip displacement: the relative tangential displacement since the contact closed, kept within the "
              "Coulomb limit"),
+      newer(column("rolling", &Row::rolling, "M L/T^2",
+                   "rolling torque on the first over the roll radius 2 r_i r_j / (r_i + r_j)")),
       column("sliding", &Row::sliding, "", "1: at the Coulomb limit"),
   };
   return columns;

@@ -306,6 +306,7 @@ Contacts<D> ContactDynamics<D>::contacts(const Grains<D>& grains) const {
     const double limit = friction_limit(c.friction, impulse.normal);
     contact.normal_force = impulse.normal * rate;
     contact.tangential_force = (swap ? swapped(impulse.tangent) : impulse.tangent) * rate;
+    contact.rolling = (swap ? -impulse.roll : impulse.roll) * rate;
     contact.sliding = limit > 0.0 && magnitude(impulse.tangent) >= limit * (1.0 - 1e-9);
     contacts.list.push_back(contact);
   }
@@ -330,6 +331,7 @@ void ContactDynamics<D>::set_slip_displacements(const Grains<D>& grains, const C
                       : static_cast<std::uint32_t>(static_cast<std::int64_t>(grains.size()) - 1 - contact.second);
     line.impulse.normal = contact.normal_force * settings_.time_step;
     line.impulse.tangent = contact.tangential_force * settings_.time_step;
+    line.impulse.roll = contact.rolling * settings_.time_step;
     problem_.contacts.push_back(line);
   }
   // Sorts the contacts, and reverses those that are listed in the other direction.

@@ -318,7 +318,7 @@ Contacts<D> Soft<D, Law, Full>::contacts(const Grains<D>& grains) const {
         const double limit = coulomb_limit(law.tangential, force.normal);
         contacts.list.push_back({first, second, pair.normal, pair.touch.overlap,
                                  pair.touch.overlap / pair.touch.diameter, force.normal.total - force.attraction,
-                                 force.tangential, history.slip, lever,
+                                 force.tangential, history.slip, force.rolling, lever,
                                  limit > 0.0 && magnitude(force.tangential) >= limit * (1.0 - 1e-9)});
       });
   contacts.sort();
