@@ -129,7 +129,7 @@ def test_the_independent_residual_finds_planted_errors(bed):
 
 # The solver starts from the impulses of the run, to rounding. Velocities are unique where friction does not slide.
 def test_the_problem_is_the_next_step_of_the_run(lab):
-    lab.run(BOX % ("1e-11", 1.5))
+    lab.run(BOX % ("1e-11", 2.0))
     assert lab("export", "out", "--to", "contact-problem").returncode == 0
     with h5py.File(lab.path / PROBLEM) as file:
         ids, time_step = file["bodies/id"][()], file.attrs["time_step"]
@@ -137,11 +137,11 @@ def test_the_problem_is_the_next_step_of_the_run(lab):
         assert np.isinf(file["bodies/mass"][ids < 0]).all() and (ids < 0).sum() == 3
     _, said, moved = solved(lab, "--tolerance", "1e-11", "--warm")
     assert said["converged"] == 1
-    lab.run(BOX % ("1e-11", 1.5 + time_step), out="longer")
+    lab.run(BOX % ("1e-11", 2.0 + time_step), out="longer")
     after = Grains(lab.path / "longer/run.h5")
     row = {k: n for n, k in enumerate(ids)}
     found = moved[[row[k] for k in after.id]]
-    assert after.time == pytest.approx(1.5 + time_step)
+    assert after.time == pytest.approx(2.0 + time_step)
     assert np.abs(after.velocity).max() > 1e-3
     assert np.allclose(found[:, :2], after.velocity, rtol=0, atol=1e-9)
     assert np.allclose(found[:, 2], after.spin, rtol=0, atol=1e-9)

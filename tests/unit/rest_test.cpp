@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/simulation/rest.hpp"
 
+#include "repose/scene/read.hpp"
+
 #include <gtest/gtest.h>
 
 namespace repose {
@@ -46,10 +48,7 @@ TEST(Rest, UnrestIsTheLargestOfAllGrains) {
 }
 
 TEST(Rest, MustLastForTheWindow) {
-  Scene scene;
-  scene.grains.diameter = scene.gravity = 1.0;
-  scene.stop.at_rest = 1e-3;
-  scene.output.window = 2.0;
+  const auto scene = scene_from_text("stop = { at_rest = 1e-3 }\noutput = { window = 2.0 }\n", "scene.toml");
   Rest rest(scene, {0.01, true});
   EXPECT_DOUBLE_EQ(rest.due_after(0.0), 0.5);
   const Unrest quiet{1e-4, 1e-4};

@@ -109,13 +109,13 @@ void Simulation::take_batch(double end) {
   const bool last = out_of_time || complete || at_rest;
   const bool extra_row = !row && last && (series().empty() || series().back().time < time());
   if (row || extra_row) add_row();
-  observe(before, extra_row);
-  if (status_ == Status::running && complete) stop(Status::finished, "all grains are there");
   if (status_ == Status::running && at_rest) {
     stop(Status::finished,
          fmt::format("at rest: kinetic energy and net force of every grain below stop.at_rest = {} for output.window",
                      *scene_.stop.at_rest));
   }
+  observe(before, extra_row);
+  if (status_ == Status::running && complete) stop(Status::finished, "all grains are there");
   if (status_ == Status::running && out_of_time) {
     stop(Status::finished, fmt::format("reached stop.time = {}", *scene_.stop.time));
   }

@@ -88,7 +88,7 @@ void ContactDynamics<D>::refresh_pairs(Grains<D>& grains, Team& team) {
     const double so_far = std::fabs(walls_[w].displacement - walls_at_build_[w].displacement);
     wall_displacement = std::max(wall_displacement, so_far + dt * std::fabs(walls_[w].speed));
   }
-  pairs_.moved(dt * std::sqrt(fastest2) + corrected_);
+  pairs_.moved(dt * std::sqrt(fastest2) + turned_);
   if (pairs_.may_be_stale() && pairs_.stale(grains, wall_displacement, dt)) build_pairs(grains, team);
 }
 
@@ -165,19 +165,19 @@ void ContactDynamics<D>::find_contacts(const Grains<D>& grains) {
     for (auto& c : before_) c.impulse = c.impulse * 2.0;
   }
   const auto walls = walls_now();
-  contact_dynamics::gather<D>({laws_, settings_, walls}, grains, pairs_, before_, problem_, gathered_);
+  contact_dynamics::gather<D>({laws_, settings_, walls}, grains, pairs_, before_, problem_, closing_);
 }
 
 /// Lets impacts act on the free velocities.
 template <int D>
 void ContactDynamics<D>::collide(const Grains<D>& grains) {
   std::vector<contact_dynamics::Body<D>> before;
-  if (!gathered_.closing.empty()) {
+  if (!closing_.empty()) {
     for (const auto& grain : grains.line) before.push_back({grain.velocity, grain.rim_velocity, grain.inverse_mass});
     before.insert(before.end(), problem_.free.begin() + static_cast<std::ptrdiff_t>(grains.size()),
                   problem_.free.end());
   }
-  const auto report = impacts_.act(before, times(), gathered_.closing, problem_);
+  const auto report = impacts_.act(before, times(), closing_, problem_);
   account_.sweeps += report.solution.sweeps;
   account_.contact_iterations += 2 * report.contact_sweeps;
   account_.impacts += report.impacts;
@@ -189,7 +189,29 @@ void ContactDynamics<D>::collide(const Grains<D>& grains) {
 template <int D>
 void ContactDynamics<D>::solve() {
   solution_ = solver_.solve(problem_);
-  contact_dynamics::take_back_gains(problem_);
+  const auto without_recovery = [&] {
+    auto plain = problem_;
+    for (auto& c : plain.contacts) c.normal_bias = std::max(0.0, c.normal_bias);
+    return plain;
+  };
+  if (contact_dynamics::ran_away(problem_)) {
+    // Where friction jams an overlapping grain, no impulses may push it out.
+    problem_ = without_recovery();
+    for (auto& c : problem_.contacts) c.impulse = {};
+    const auto again = solver_.solve(problem_);
+    solution_ = {solution_.sweeps + again.sweeps, again.residual, again.converged};
+  }
+  advancing_ = problem_.bodies;
+  if (contact_dynamics::gains_energy(problem_)) {
+    // Overlaps are pushed apart by a displacement. Its velocity does not stay.
+    auto plain = without_recovery();
+    const auto recovers = [](const auto& c) { return c.normal_bias < 0.0; };
+    if (std::any_of(problem_.contacts.begin(), problem_.contacts.end(), recovers)) {
+      account_.sweeps += solver_.solve(plain).sweeps;
+    }
+    contact_dynamics::take_back_gains(plain);
+    problem_.bodies = plain.bodies;
+  }
   ++account_.steps;
   account_.sweeps += solution_.sweeps;
   account_.contact_iterations += 2 * solution_.sweeps * static_cast<long>(problem_.contacts.size());
@@ -203,24 +225,6 @@ contact_dynamics::Impulse<D> ContactDynamics<D>::impulse_of(std::size_t contact)
   auto impulse = problem_.contacts[contact].impulse;
   if (!impacts_.impulses().empty()) impulse += impacts_.impulses()[contact];
   return impulse;
-}
-
-/// The displacements that correct the positions after velocity times step [L]: impacts turn where bodies touch, and a
-/// fraction of every overlap is taken back, without a velocity that would stay.
-template <int D>
-std::vector<Vec<D>> ContactDynamics<D>::corrections(const Grains<D>& grains) {
-  auto all = impacts_.displacements(times(), problem_);
-  all.resize(grains.size());
-  for (const auto& overlap : gathered_.overlaps) {
-    const auto& c = problem_.contacts[overlap.contact];
-    const double first = grains.line[c.first].inverse_mass;
-    const double second = c.second < grains.size() ? grains.line[c.second].inverse_mass : 0.0;
-    if (!(first + second > 0.0)) continue;
-    const Vec<D> apart = c.normal * (settings_.overlap_recovery * overlap.depth / (first + second));
-    all[c.first] += apart * first;
-    if (c.second < grains.size()) all[c.second] -= apart * second;
-  }
-  return all;
 }
 
 /// Adds the contact impulses to the reactions of fixed grains and walls.
@@ -246,16 +250,20 @@ template <int D>
 bool ContactDynamics<D>::move(Grains<D>& grains) {
   const double dt = settings_.time_step;
   bool fine = true;
-  const auto correction = corrections(grains);
-  corrected_ = 0.0;
+  const auto& turned = impacts_.displacements(times(), problem_, advancing_);
+  turned_ = 0.0;
   for (std::size_t i = 0; i < grains.size(); ++i) {
     auto& grain = grains.line[i];
     if (grain.fixed()) continue;
     grain.velocity = problem_.bodies[i].velocity;
     grain.rim_velocity = problem_.bodies[i].rim_velocity;
-    grain.position += grain.velocity * dt + correction[i];
-    corrected_ = std::max(corrected_, magnitude(correction[i]));
-    const double displacement = magnitude(grain.velocity) * dt;
+    grain.position += advancing_[i].velocity * dt;
+    if (!turned.empty()) {
+      grain.position += turned[i];
+      turned_ = std::max(turned_, magnitude(turned[i]));
+    }
+    turned_ = std::max(turned_, magnitude(Vec<D>(advancing_[i].velocity - grain.velocity)) * dt);
+    const double displacement = magnitude(advancing_[i].velocity) * dt;
     fine &= displacement <= grain.radius && std::isfinite(magnitude(grain.rim_velocity));
   }
   for (std::size_t w = 0; w < walls_.size(); ++w) {
@@ -354,7 +362,7 @@ void ContactDynamics<D>::exchange(Archive& archive) {
   archive.array("walls/impulse", wall_impulses_);
   archive.array("loads/list", loads_);
   archive.value("follows", follows_);
-  archive.value("corrected", corrected_);
+  archive.value("impacts/turned", turned_);
   archive.array("contacts", problem_.contacts);
   impacts_.exchange(archive);
   archive.value("solver/account", account_);

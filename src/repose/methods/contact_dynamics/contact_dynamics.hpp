@@ -56,7 +56,6 @@ class ContactDynamics final : public Method<D> {
   void collide(const Grains<D>& grains);
   void solve();
   bool move(Grains<D>& grains);
-  std::vector<Vec<D>> corrections(const Grains<D>& grains);
   contact_dynamics::StepTimes times() const;
   contact_dynamics::Impulse<D> impulse_of(std::size_t contact) const;
   void add_reactions(Grains<D>& grains);
@@ -68,16 +67,17 @@ class ContactDynamics final : public Method<D> {
   contact_dynamics::Problem<D> problem_;
   contact_dynamics::Solver<D> solver_;
   contact_dynamics::Impacts<D> impacts_;
-  contact_dynamics::Gathered gathered_;
+  std::vector<contact_dynamics::Closing> closing_;
   std::vector<contact_dynamics::ContactLine<D>> before_;  // contacts of the previous step, whose impulses are the start
   std::size_t known_ = 0;                                 // number of grains when bodies were last numbered
   long step_ = 0;
-  bool follows_ = false;    // the first step follows a step of a former run
-  double corrected_ = 0.0;  // [L] the largest correction of a position in the last step
+  bool follows_ = false;  // the first step follows a step of a former run
+  double turned_ = 0.0;   // [L] the largest displacement by which an impact changed the last step
   std::vector<WallState> walls_;
   std::vector<WallState> walls_at_build_;
   std::vector<Vec<D>> wall_impulses_;
   std::vector<Load<D>> loads_;
+  std::vector<contact_dynamics::Body<D>> advancing_;  // velocities by which positions advance in the step
   contact_dynamics::Solution solution_;
   bool impacts_converged_ = true;
   SolverAccount account_;

@@ -18,7 +18,9 @@ namespace {
 constexpr double margin_of_radius = 0.05;
 constexpr double margin_of_fall = 2.5;
 
-/// Overlap over roll radius that is not corrected: what the solver's tolerance leaves.
+/// Overlap over roll radius that is not corrected. A packing at rest has more contacts than its grains have degrees of
+/// freedom. If every overlap of rounding size were corrected, no impulses could satisfy all contacts, and the solver
+/// would drift.
 constexpr double settled_overlap = 1e-3;
 
 /// Pairs that approach at less than this fraction of gravity times the time step are at rest or settle: no impact.
@@ -36,13 +38,13 @@ template <int D>
 class Gathering {
  public:
   Gathering(const GatherInput<D>& input, const Grains<D>& grains, const std::vector<ContactLine<D>>& before,
-            Problem<D>& problem, Gathered& gathered)
+            Problem<D>& problem, std::vector<Closing>& closing)
       : input_(input),
         grains_(grains),
         old_(before.begin()),
         old_end_(before.end()),
         problem_(problem),
-        gathered_(gathered) {
+        closing_(closing) {
     const double dt = input.settings.time_step;
     fall_ = margin_of_fall * magnitude(input.settings.gravity) * dt * dt;
     slow_ = slowest_impact * magnitude(input.settings.gravity) * dt;
@@ -123,17 +125,22 @@ class Gathering {
     line.friction = friction_at(law, magnitude(slip_velocity(line, first, other)));
     line.rolling_friction = law.rolling_friction;
     problem_.rolling |= law.rolling_friction > 0.0;
-    // Signorini's condition on velocities: a gap may just close within the step.
-    line.normal_bias = approach.gap > 0.0 ? approach.gap / input_.settings.time_step : 0.0;
+    line.normal_bias = normal_bias(approach);
     const auto place = static_cast<std::uint32_t>(problem_.contacts.size());
     const bool rebounds = law.restitution > 0.0 || law.tangential_restitution != 0.0;
     if (rebounds && opening_velocity(line, first, other) < -slow_ &&
         closing_distance(approach, line.first, line.second) >= approach.gap) {
-      gathered_.closing.push_back({place, approach.gap, law.restitution, law.tangential_restitution});
+      closing_.push_back({place, approach.gap, law.restitution, law.tangential_restitution});
     }
-    const double depth = -approach.gap - settled_overlap * approach.radius;
-    if (depth > 0.0) gathered_.overlaps.push_back({place, std::min(depth, margin_of_radius * approach.radius)});
     problem_.contacts.push_back(line);
+  }
+
+  /// Signorini's condition on velocities: a gap may just close within the step. An overlap is corrected gradually.
+  double normal_bias(const Approach<D>& approach) const {
+    const auto& settings = input_.settings;
+    if (approach.gap > 0.0) return approach.gap / settings.time_step;
+    const double overlap = std::max(0.0, -approach.gap - settled_overlap * approach.radius);
+    return -settings.overlap_recovery * std::min(overlap, margin_of_radius * approach.radius) / settings.time_step;
   }
 
   const GatherInput<D>& input_;
@@ -141,7 +148,7 @@ class Gathering {
   typename std::vector<ContactLine<D>>::const_iterator old_;
   typename std::vector<ContactLine<D>>::const_iterator old_end_;
   Problem<D>& problem_;
-  Gathered& gathered_;
+  std::vector<Closing>& closing_;
   double fall_ = 0.0;  // [L]
   double slow_ = 0.0;  // [L/T]
 };
@@ -150,12 +157,11 @@ class Gathering {
 
 template <int D>
 void gather(const GatherInput<D>& input, const Grains<D>& grains, const PairList<D>& pairs,
-            const std::vector<ContactLine<D>>& before, Problem<D>& problem, Gathered& gathered) {
+            const std::vector<ContactLine<D>>& before, Problem<D>& problem, std::vector<Closing>& closing) {
   problem.contacts.clear();
   problem.rolling = false;
-  gathered.closing.clear();
-  gathered.overlaps.clear();
-  Gathering<D> gathering(input, grains, before, problem, gathered);
+  closing.clear();
+  Gathering<D> gathering(input, grains, before, problem, closing);
   const auto walls = static_cast<std::uint32_t>(input.walls.size());
   for (std::uint32_t i = 0; i < pairs.rows(); ++i) {
     for (auto k = pairs.row_start[i]; k < pairs.row_start[i + 1]; ++k) gathering.grain(i, pairs.partner[k]);
@@ -200,9 +206,9 @@ void renumber(const std::vector<std::uint32_t>& order, std::size_t grains_before
 }
 
 template void gather(const GatherInput<2>&, const Grains<2>&, const PairList<2>&, const std::vector<ContactLine<2>>&,
-                     Problem<2>&, Gathered&);
+                     Problem<2>&, std::vector<Closing>&);
 template void gather(const GatherInput<3>&, const Grains<3>&, const PairList<3>&, const std::vector<ContactLine<3>>&,
-                     Problem<3>&, Gathered&);
+                     Problem<3>&, std::vector<Closing>&);
 template void renumber(const std::vector<std::uint32_t>&, std::size_t, std::vector<ContactLine<2>>&);
 template void renumber(const std::vector<std::uint32_t>&, std::size_t, std::vector<ContactLine<3>>&);
 

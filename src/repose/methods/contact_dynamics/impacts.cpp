@@ -58,7 +58,10 @@ ImpactReport Impacts<D>::act(const std::vector<Body<D>>& before, const StepTimes
   for (std::size_t k = 0; k < impact.free.size(); ++k) {
     impact.free[k].velocity = before[k].velocity + acceleration_[k] * flown_[k];
   }
-  for (auto& c : impact.contacts) c.impulse = {};
+  for (auto& c : impact.contacts) {
+    c.impulse = {};
+    c.normal_bias = std::max(0.0, c.normal_bias);
+  }
   std::vector<Rebound<D>> rebounds;
   double fastest = 0.0;
   for (const auto& one : closing_) {
@@ -88,7 +91,8 @@ ImpactReport Impacts<D>::act(const std::vector<Body<D>>& before, const StepTimes
 }
 
 template <int D>
-const std::vector<Vec<D>>& Impacts<D>::displacements(const StepTimes& times, const Problem<D>& problem) {
+const std::vector<Vec<D>>& Impacts<D>::displacements(const StepTimes& times, const Problem<D>& problem,
+                                                     const std::vector<Body<D>>& bodies) {
   displacements_.clear();
   if (impulses_.empty()) return displacements_;
   displacements_.assign(problem.free.size(), Vec<D>{});
@@ -101,8 +105,7 @@ const std::vector<Vec<D>>& Impacts<D>::displacements(const StepTimes& times, con
       // Between two free bodies this would change their angular momentum by the slip times the displacement.
       if (first > 0.0 && second > 0.0) continue;
       if (!(impulses_[closing_[k].contact].normal > 0.0) || closing_[k].gap <= 0.0 || !(weight > 0.0)) continue;
-      const auto &a = problem.bodies[c.first], &b = problem.bodies[c.second];
-      const double opening = opening_velocity(c, a, b);
+      const double opening = opening_velocity(c, bodies[c.first], bodies[c.second]);
       const double turned = std::min(closing_times_[k], 0.5 * times.step);
       const double left = times.step - turned;
       const double acceleration = dot(Vec<D>(acceleration_[c.first] - acceleration_[c.second]), c.normal);

@@ -36,8 +36,9 @@ class Impacts {
   const std::vector<Impulse<D>>& impulses() const { return impulses_; }
 
   /// Displacements [L] to add to velocity times step: a body turns where it touches, not where it was at the start of
-  /// the step. One for each body; empty without impacts. `problem` holds the velocities after the step.
-  const std::vector<Vec<D>>& displacements(const StepTimes& times, const Problem<D>& problem);
+  /// the step. One for each body; empty without impacts. `bodies` hold the velocities.
+  const std::vector<Vec<D>>& displacements(const StepTimes& times, const Problem<D>& problem,
+                                           const std::vector<Body<D>>& bodies);
 
   void exchange(Archive& archive) { archive.array("impacts/impulses", impulses_); }
 

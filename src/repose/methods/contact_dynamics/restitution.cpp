@@ -281,7 +281,15 @@ ImpactReport solve_impact(const std::vector<Rebound<D>>& rebounds, Solver<D>& so
 }
 
 template <int D>
-void take_back_gains(Problem<D>& problem) {
+bool ran_away(const Problem<D>& problem) {
+  const double largest = largest_impulse * velocity_scale(problem);
+  return std::any_of(problem.contacts.begin(), problem.contacts.end(), [&](const auto& c) {
+    return !(c.impulse.normal <= largest * c.normal_mass && magnitude(c.impulse.tangent) <= largest * c.tangent_mass);
+  });
+}
+
+template <int D>
+bool gains_energy(const Problem<D>& problem) {
   double before = 0.0, after = 0.0;
   for (std::size_t k = 0; k < problem.free.size(); ++k) {
     const auto &free = problem.free[k], &body = problem.bodies[k];
@@ -290,7 +298,12 @@ void take_back_gains(Problem<D>& problem) {
     before += factor * repose::squared(free.velocity) + turning * repose::squared(free.rim_velocity);
     after += factor * repose::squared(body.velocity) + turning * repose::squared(body.rim_velocity);
   }
-  if (after <= before) return;
+  return after > before;
+}
+
+template <int D>
+void take_back_gains(Problem<D>& problem) {
+  if (!gains_energy(problem)) return;
   const Clusters clusters(problem);
   std::vector<Impulse<D>> now;
   for (const auto& c : problem.contacts) now.push_back(c.impulse);
@@ -305,6 +318,10 @@ void take_back_gains(Problem<D>& problem) {
 
 template ImpactReport solve_impact(const std::vector<Rebound<2>>&, Solver<2>&, Problem<2>&);
 template ImpactReport solve_impact(const std::vector<Rebound<3>>&, Solver<3>&, Problem<3>&);
+template bool ran_away(const Problem<2>&);
+template bool ran_away(const Problem<3>&);
+template bool gains_energy(const Problem<2>&);
+template bool gains_energy(const Problem<3>&);
 template void take_back_gains(Problem<2>&);
 template void take_back_gains(Problem<3>&);
 

@@ -38,6 +38,14 @@ struct ImpactReport {
 template <int D>
 ImpactReport solve_impact(const std::vector<Rebound<D>>& rebounds, Solver<D>& solver, Problem<D>& problem);
 
+/// Whether impulses have grown without bound, because none satisfy the laws.
+template <int D>
+bool ran_away(const Problem<D>& problem);
+
+/// Whether the kinetic energy of all bodies is higher than with the free velocities.
+template <int D>
+bool gains_energy(const Problem<D>& problem);
+
 /// Makes the impulses of clusters smaller in which the kinetic energy is higher than that of the free velocities, less
 /// the work of moving walls. Impulses without restitution never raise it but by the tolerance of the solver. Sets the
 /// velocities.
