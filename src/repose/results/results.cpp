@@ -18,7 +18,7 @@ constexpr double core_above_base = 2.0;  // diameters
 std::vector<FlatWall> standing_walls(const Record& record) {
   std::vector<FlatWall> walls;
   for (const auto& recorded : record.walls) {
-    if (!recorded.open) walls.push_back({recorded.wall.point, recorded.wall.normal});
+    if (!recorded.open) walls.push_back({recorded.wall.point, recorded.wall.normal, recorded.wall.half_length});
   }
   return walls;
 }
