@@ -187,3 +187,107 @@ def test_seams_give_the_same_bits_for_any_threads(lab):
     text = ROLLING + floor(60, 30.0, 2.0) + "[source]\nkind = 'pour'\ncount = 60\nrate = 5\nheight = 8\n[stop]\ntime = 20\n"
     hashes = {summary(lab.run(text, "--threads", n, out=f"t{n}"))["state_hash"] for n in (1, 2, 3)}
     assert len(hashes) == 1
+
+
+# ---- pistons
+
+def piston(mass, restitution=0.5, extra=""):
+    text = IMPACT.replace("restitution = 0.5", f"restitution = {restitution}")
+    return text + f"""[[plane]]
+name = "p"
+point = [0.0, 0.0]
+normal = [0.0, 1.0]
+motion = "force"
+force = [0.0, -1e-12]
+mass = {mass}
+{extra}[[grain]]
+position = [0.0, 0.51]
+velocity = [0.0, -1.0]
+[stop]
+time = 0.2
+[output]
+series = 0.001
+"""
+
+
+# Both bodies fly apart with the asked fraction of the closing speed, and momentum is conserved.
+@pytest.mark.parametrize("mass", [0.1, 1.0, 10.0])
+@pytest.mark.parametrize("restitution", [0.5, 0.9])
+def test_restitution_against_a_piston(lab, mass, restitution):
+    out = lab.run(piston(mass, restitution))
+    found = datasets(out / "run.h5")
+    height, time = -found["/series/wall_displacement"][:, 0], found["/series/time"]  # it moves along its force, down
+    speed = (height[-1] - height[-21]) / (time[-1] - time[-21])
+    rebound = Grains(out / "run.h5").velocity[0, 1]
+    assert rebound - speed == pytest.approx(restitution, abs=2e-3)
+    assert rebound + mass * speed == pytest.approx(-1.0, abs=2e-3)
+
+
+# A piston that has not begun to move is a wall that nothing moves.
+def test_restitution_before_a_piston_starts(lab):
+    out = lab.run(piston(0.1, extra="start = 5.0\n"))
+    assert Grains(out / "run.h5").velocity[0, 1] == pytest.approx(0.5, abs=1e-3)
+
+
+LIGHT = """[contact]
+friction = 0.3
+normal = { law = "hooke", stiffness = 1e4, damping = 0.3 }
+tangential = { law = "linear", stiffness = 5e3, damping = 0.1 }
+[grains]
+polydispersity = 0.2
+[base]
+kind = "plane"
+[[plane]]
+name = "left"
+point = [-8.0, 0.0]
+normal = [1.0, 0.0]
+[[plane]]
+name = "right"
+point = [8.0, 0.0]
+normal = [-1.0, 0.0]
+[[plane]]
+name = "piston"
+point = [0.0, 60.0]
+normal = [0.0, -1.0]
+motion = "force"
+force = [0.0, -160.0]
+mass = 0.08
+drag = 1.0
+start = 60.0
+[source]
+kind = "pour"
+count = 200
+rate = 10.0
+height = 45.0
+half_width = 7.0
+[box]
+half_width = 20.0
+[stop]
+time = 160.0
+[output]
+series = 0.5
+energy = true
+"""
+
+
+# Sixteen or more grains press on this piston at once: it cannot follow them, and only a heavier one is accepted.
+def test_a_piston_too_light_for_its_bed_is_refused(lab):
+    lab.scene(LIGHT)
+    message = lab.refused("check", "scene.toml", parts=["plane[2].mass = 0.08: too light for the time step", "21 grains"])
+    least = number_in(message, "at least")
+    assert 1.0 < least < 5.0
+    lab.scene(LIGHT.replace("mass = 0.08", f"mass = {1.01 * least}"))
+    assert lab("check", "scene.toml").returncode == 0
+
+
+# The lightest piston that is accepted presses the bed as a heavy one does.
+def test_the_lightest_piston_is_stable(lab):
+    lab.scene(LIGHT)
+    least = number_in(lab.refused("check", "scene.toml"), "at least")
+    out = lab.run(LIGHT.replace("mass = 0.08", f"mass = {1.01 * least}"), timeout=120)
+    found = datasets(out / "run.h5")
+    displacement = found["/series/wall_displacement"][:, 3]
+    assert displacement[-1] == pytest.approx(50.17, abs=0.1)
+    assert np.abs(np.diff(displacement[found["/series/time"] > 80])).max() < 0.01
+    supplied = found["/energy/sources"][-1] + found["/energy/walls_work"][-1]
+    assert abs(found["/energy/error"][-1]) < 0.01 * supplied
