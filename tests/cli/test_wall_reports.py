@@ -291,3 +291,93 @@ def test_the_lightest_piston_is_stable(lab):
     assert np.abs(np.diff(displacement[found["/series/time"] > 80])).max() < 0.01
     supplied = found["/energy/sources"][-1] + found["/energy/walls_work"][-1]
     assert abs(found["/energy/error"][-1]) < 0.01 * supplied
+
+
+# ---- sources
+
+POUR = """[method]
+time_step = 0.001
+[contact]
+normal = { law = "hooke", stiffness = 1e4, damping = 0.5 }
+[base]
+kind = "plane"
+[source]
+kind = "pour"
+count = 30
+rate = 2.0
+height = 20.0
+[stop]
+time = 16.0
+[output]
+series = 0.1
+"""
+
+
+def most_energy(out):
+    return datasets(out / "run.h5")["/series/kinetic_energy_per_grain"].max()
+
+
+# A fall from height 20 gives 20; no grain is born inside the shelf, which would shoot it away. There is room for one grain
+# at a time beside it, until that has fallen by a diameter in 1.41.
+def test_grains_are_not_born_in_a_wall(lab):
+    out = lab.run(POUR + wall("shelf", (-2, 20), (3, 20.2)))
+    assert most_energy(out) <= 20.0
+    assert 8 <= summary(out)["grains_released"] <= 12
+
+
+# The opening from -3 to 3 is closed until the gate has gone; grains wait until then.
+def test_grains_wait_for_a_gate(lab):
+    out = lab.run(POUR + wall("gate", (-4, 20), (4, 20), "opens_at = 5"))
+    found = datasets(out / "run.h5")
+    assert (found["/series/grains"][found["/series/time"] < 4.95] == 0).all()
+    assert summary(out)["grains_released"] > 10 and most_energy(out) <= 20.0
+
+
+# A plane sweeps through the opening from the left: grains come to lie in front of it, never behind.
+def test_grains_are_not_born_behind_a_plane(lab):
+    plane = "[[plane]]\nname = 'pusher'\npoint = [-5, 0]\nnormal = [1, 0]\nmotion = 'velocity'\nvelocity = [0.5, 0]\n"
+    out = lab.run(POUR + plane)
+    assert most_energy(out) <= 20.0
+    assert (Grains(out / "run.h5").position[:, 0] > -5 + 0.5 * 16 + 0.4).all()
+
+
+@pytest.mark.parametrize("walls, part", [
+    (wall("lid", (-9, 20.1), (9, 20.1)), 'source.height = 20: no grain ever finds room there: wall "lid" is in the way'),
+    ("[[plane]]\nname = 'roof'\npoint = [0, 15]\nnormal = [0, -1]\n", 'wall "roof" is in the way'),
+])
+def test_sources_without_any_room_are_refused(lab, walls, part):
+    lab.scene(POUR + walls)
+    lab.refused("check", "scene.toml", parts=[part])
+
+
+def test_grains_of_the_start_in_walls_are_refused(lab):
+    text = "[contact]\nnormal = { law = 'hooke', stiffness = 1e4 }\n[base]\nkind = 'plane'\n[stop]\ntime = 1\n"
+    lattice = "[source]\nkind = 'lattice'\nrows = 4\ncolumns = 6\ngap = 0.05\n"
+    lab.scene(text + lattice + wall("post", (1.0, 0.0), (1.0, 2.0)))
+    lab.refused("check", "scene.toml", parts=['source.kind = "lattice": grain at', 'wall "post" presses into it by'])
+    lab.scene(text + lattice + wall("post", (9.0, 0.0), (9.0, 2.0)))
+    assert lab("check", "scene.toml").returncode == 0
+    lab.scene(text + grain(0.0, 0.2))
+    lab.refused("check", "scene.toml", parts=['grain[0].position = [0, 0.2]: wall "base" presses into it by 0.3 diameters'])
+
+
+# Rigid discs laid down one by one come to lie on pieces of wall too, not under or in them.
+def test_discs_are_laid_on_pieces_of_wall(lab):
+    text = """[method]
+kind = "contact-dynamics"
+[contact]
+friction = 0.5
+rolling_friction = 0.1
+[base]
+kind = "plane"
+[source]
+kind = "sequential"
+count = 12
+half_width = 5
+[stop]
+time = 40
+"""
+    out = lab.run(text + wall("shelf", (-3, 4), (3, 4)), timeout=60)
+    height = Grains(out / "run.h5").position[:, 1]
+    assert (height > 0.49).all()
+    assert ((height < 3.51) | (height > 4.49)).all() and (height > 4.0).any()

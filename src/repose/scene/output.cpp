@@ -13,10 +13,10 @@ namespace repose {
 namespace {
 
 void stop_keys(StopKeys& stop, Parameters& keys) {
-  keys.optional_number(
-      "stop.at_rest", stop.at_rest, {"", "none"}, positive, "",
-      "ends the run after the last grain, once kinetic energy (in m g d) and net force (in m g) of every grain have been "
-      "below this for output.window");
+  keys.optional_number("stop.at_rest", stop.at_rest, {"", "none"}, positive, "",
+                       "ends the run after the last grain, once kinetic energy (in m g d) and net force (in m g) of "
+                       "every grain have been "
+                       "below this for output.window");
   keys.optional_number("stop.time", stop.time, {"", "none"}, positive, "T", "ends the run at this time");
 }
 
@@ -77,8 +77,9 @@ void packing_keys(Scene& scene, Parameters& keys) {
     analysis.packing = true;
   }
   if (!*analysis.packing) return;
-  keys.vector("analysis.slab", analysis.slab, std::array<double, 2>{0.4, 1.4}, "",
-              "edges of the slab above the base centres, in mean heights of the grains");
+  keys.vector(
+      "analysis.slab", analysis.slab, std::array<double, 2>{0.4, 1.4}, "",
+      "edges of the slab above the base centres, or above height 0 without base grains, in mean heights of the grains");
   keys.number("analysis.contact_gap", analysis.contact_gap, traits.contact_gap, not_negative, "diameters",
               "grains closer than this touch");
   keys.integer("analysis.direction_bins", analysis.direction_bins, {.low = 1},
