@@ -381,3 +381,61 @@ time = 40
     height = Grains(out / "run.h5").position[:, 1]
     assert (height > 0.49).all()
     assert ((height < 3.51) | (height > 4.49)).all() and (height > 4.0).any()
+
+
+# ---- numbers that mean something
+
+def test_a_packing_on_a_plane_is_measured_from_height_0(lab):
+    text = """[contact]
+normal = { law = "hooke", stiffness = 1e4, damping = 0.5 }
+[base]
+kind = "plane"
+[box]
+x = "periodic"
+half_width = 10.0
+[source]
+kind = "lattice"
+rows = 8
+columns = 18
+gap = 0.05
+jitter = 1.0
+[stop]
+time = 20.0
+"""
+    out = lab.run(text)
+    packing = summary(out)["packing"]
+    height = Grains(out / "run.h5").position[:, 1].mean()
+    assert packing["slab"]["low"] == pytest.approx(0.4 * height, rel=1e-6)
+    assert packing["slab"]["high"] == pytest.approx(1.4 * height, rel=1e-6)
+    assert 0.7 < packing["solid_fraction"]["mean"] < 0.92
+
+
+TENSION = """[contact]
+normal = { law = "hooke", stiffness = 1e4, damping = 1.0 }
+tangential = { law = "linear", stiffness = 5e3, damping = 0.2 }
+cohesion = { law = "constant", force = 10.0 }
+[[grain]]
+position = [0.0, 10.0]
+fixed = true
+[[grain]]
+position = [0.0, 9.0009]
+[stop]
+time = 5.0
+"""
+
+
+def test_a_contact_in_tension_is_a_contact(lab):
+    found = summary(lab.run(TENSION))
+    assert found["coordination"] == 1.0 and found["contacts"] == 1
+
+
+# The moments of a level bed between walls say nothing of an angle; those of a heap do.
+def test_a_bed_between_walls_has_no_angle(lab):
+    sides = "".join(f"[[plane]]\nname = 's{s}'\npoint = [{-6 * s}, 0]\nnormal = [{s}, 0]\n" for s in (1, -1))
+    text = POUR.replace("count = 30\nrate = 2.0", "count = 120\nrate = 20.0").replace("time = 16.0", "time = 20.0")
+    found = summary(lab.run(text + sides))["angle_of_repose_deg"]
+    assert found["moments"] is None
+
+
+def test_a_heap_has_an_angle_by_moments(heap):
+    assert 5.0 < summary(heap)["angle_of_repose_deg"]["moments"] < 45.0

@@ -6,6 +6,8 @@
 #include "repose/results/measure.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 namespace repose {
@@ -33,7 +35,32 @@ MotionSettings motion_settings(const Scene& scene, double base_height) {
   return settings;
 }
 
-PackingOptions packing_options(const Scene& scene) {
+/// Straight, upright planes that stand at the sides of the grains, and a level one below them, hold a packing.
+PackingWalls planes_around(const Record& record) {
+  constexpr double upright = 1e-9;
+  PackingWalls walls;
+  for (const auto& [name, start, wall, open] : record.walls) {
+    if (open || wall.finite() || wall.smooth) continue;
+    const auto outermost = [&](std::optional<double>& side, double place, double towards) {
+      if (!side || (place - *side) * towards > 0.0) side = place;
+    };
+    if (std::fabs(wall.normal[1]) < upright && wall.normal[0] > 0.0) outermost(walls.left, wall.point[0], 1.0);
+    if (std::fabs(wall.normal[1]) < upright && wall.normal[0] < 0.0) outermost(walls.right, wall.point[0], -1.0);
+    if (std::fabs(wall.normal[0]) < upright && wall.normal[1] > 0.0) outermost(walls.floor, wall.point[1], 1.0);
+  }
+  return walls;
+}
+
+/// The box between the planes at the sides of the grains.
+Box<2> box_between(Box<2> box, const PackingWalls& walls) {
+  if (box.periodic) return box;
+  if (walls.left) box.x_min = std::max(box.x_min, *walls.left);
+  if (walls.right) box.x_max = std::min(box.x_max, *walls.right);
+  return box;
+}
+
+PackingOptions packing_options(const Record& record) {
+  const auto& scene = record.scene;
   const auto& analysis = scene.analysis;
   PackingOptions options;
   options.slab = {.low = analysis.slab[0], .high = analysis.slab[1], .base_height = std::nullopt};
@@ -42,7 +69,12 @@ PackingOptions packing_options(const Scene& scene) {
   options.correlations = analysis.correlations;
   options.structure = analysis.structure_factor;
   options.local_density = analysis.local_density;
-  if (!has(scene, Needs::deposition)) return options;
+  if (!has(scene, Needs::deposition)) {
+    options.walls = planes_around(record);
+    // Heights count from the centres of the base grains, or from height 0.
+    if (!scene.base->of_grains() && !scene.start.base) options.slab.base_height = 0.0;
+    return options;
+  }
   options.slab.base_height = 0.0;
   // Base discs lie on the floor too, and are neighbours already.
   options.walls.floor = -0.5 * scene.grains.diameter;
@@ -55,9 +87,9 @@ PackingOptions packing_options(const Scene& scene) {
 
 void measure_packing(const Record& record, Results& results) {
   const auto& scene = record.scene;
-  const auto& box = record.box;
   const auto discs = discs_of(record.grains);
-  const auto options = packing_options(scene);
+  const auto options = packing_options(record);
+  const auto box = scene.box.walled() ? record.box : box_between(record.box, options.walls);
   auto result = analyse_packing(discs, box, options);
   results.packing = std::move(result.packing);
   results.packing_problem = std::move(result.problem);
