@@ -132,7 +132,9 @@ double by_sectors(const std::vector<Vec<2>>& centres, const std::vector<FlatWall
   std::vector<std::pair<Vec<2>, Vec<2>>> pieces;
   for (const auto& wall : walls) {
     const Vec<2> along = Vec<2>{{wall.normal[1], -wall.normal[0]}} * wall.half_length;
-    pieces.emplace_back(wall.point - along - centres[own], wall.point + along - centres[own]);
+    const PieceOfWall piece{wall.point - along - centres[own], wall.point + along - centres[own]};
+    // Walls beyond the corners of the cut-off are of no concern.
+    if (distance_to(piece) < 1.5 / std::cos(std::numbers::pi / 32.0)) pieces.emplace_back(piece.from, piece.to);
   }
   const auto distance_along = [&](const Vec<2>& direction, const auto& ends) {
     const Vec<2> along = ends.second - ends.first;
@@ -173,7 +175,7 @@ double by_sectors(const std::vector<Vec<2>>& centres, const std::vector<FlatWall
     const Vec<2> direction{{std::cos(angle), std::sin(angle)}};
     double nearest = 1e9;
     for (const auto& ends : pieces) nearest = std::min(nearest, distance_along(direction, ends));
-    if (nearest >= to_outline(direction, seen)) nearest = to_outline(direction, all);
+    nearest = nearest < 1e9 ? std::min(nearest, to_outline(direction, seen)) : to_outline(direction, all);
     sum += 0.5 * nearest * nearest * 2.0 * std::numbers::pi / sectors;
   }
   return sum;

@@ -85,8 +85,8 @@ struct View {
   Vec<2> end{};
 };
 
-/// The screen in which a view ends: the nearest piece if it stands inside the outline of the seen neighbours, else the
-/// outline of all.
+/// The screen in which a view ends: where a piece stands in that direction, the piece or the outline by the seen
+/// neighbours, whichever is nearer; elsewhere the outline by all.
 const Screen* screen_at(double angle, const Vec<2>& direction, const std::vector<Screen>& screens) {
   std::array<const Screen*, 3> nearest{};
   std::array<double, 3> distance{};
@@ -99,7 +99,8 @@ const Screen* screen_at(double angle, const Vec<2>& direction, const std::vector
     distance[kind] = at;
   }
   const auto [all, seen, piece] = nearest;
-  return piece != nullptr && seen != nullptr && distance[2] < distance[1] ? piece : all;
+  if (piece == nullptr || seen == nullptr) return all;
+  return distance[2] < distance[1] ? piece : seen;
 }
 
 std::vector<View> views_of(const std::vector<Screen>& screens) {

@@ -35,10 +35,10 @@ struct VisiblePart {
 };
 
 /// The part of a cell that no piece hides from the origin. `all` is the outline by all neighbours, `seen` that by the
-/// neighbours whose centres no piece hides. The boundary runs along the pieces that stand inside `seen` and elsewhere
-/// along `all`; from one to the other it follows the line of sight past the end of a piece, and is not closed there.
-/// Gaps between two pieces that are narrower than 1e-3, as an angle at the origin, leave it closed. If the origin lies
-/// outside of `seen`, `all` is returned and not closed.
+/// neighbours whose centres no piece hides. In the directions in which a piece stands, the part ends at the piece or at
+/// `seen`, whichever is nearer, and elsewhere at `all`. Past the end of a piece it follows the line of sight, and is
+/// not closed there. Gaps between two pieces that are narrower than 1e-3, as an angle at the origin, leave it closed.
+/// If the origin lies outside of `seen`, `all` is returned and not closed.
 VisiblePart visible_part(const Outline& all, const Outline& seen, const std::vector<PieceOfWall>& pieces);
 
 }  // namespace repose

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -35,23 +37,49 @@ MotionSettings motion_settings(const Scene& scene, double base_height) {
   return settings;
 }
 
-/// Straight, upright planes that stand at the sides of the grains, and a level one below them, hold a packing.
-PackingWalls planes_around(const Record& record) {
-  constexpr double upright = 1e-9;
+/// The smallest box around the centres of the grains that move.
+struct Extent {
+  Vec<2> low{{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}};
+  Vec<2> high{{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()}};
+};
+
+Extent extent_of(const Discs& discs) {
+  Extent extent;
+  for (std::size_t k = 0; k < discs.size(); ++k) {
+    if (discs.base[k]) continue;
+    for (int axis = 0; axis < 2; ++axis) {
+      extent.low[axis] = std::min(extent.low[axis], discs.position[k][axis]);
+      extent.high[axis] = std::max(extent.high[axis], discs.position[k][axis]);
+    }
+  }
+  return extent;
+}
+
+/// Upright walls at the sides of all grains, and a level one below them, hold a packing. A piece of wall holds it if
+/// the grains do not reach past its ends.
+PackingWalls walls_around(const Record& record, const Extent& grains) {
+  constexpr double straight = 1e-9;
   PackingWalls walls;
+  const auto nearest = [](std::optional<double>& side, double place, double towards) {
+    if (!side || (place - *side) * towards > 0.0) side = place;
+  };
   for (const auto& [name, start, wall, open] : record.walls) {
-    if (open || wall.finite() || wall.smooth) continue;
-    const auto outermost = [&](std::optional<double>& side, double place, double towards) {
-      if (!side || (place - *side) * towards > 0.0) side = place;
+    if (open || wall.smooth) continue;
+    const auto spans = [&](int axis) {
+      return wall.point[axis] - wall.half_length <= grains.low[axis] &&
+             wall.point[axis] + wall.half_length >= grains.high[axis];
     };
-    if (std::fabs(wall.normal[1]) < upright && wall.normal[0] > 0.0) outermost(walls.left, wall.point[0], 1.0);
-    if (std::fabs(wall.normal[1]) < upright && wall.normal[0] < 0.0) outermost(walls.right, wall.point[0], -1.0);
-    if (std::fabs(wall.normal[0]) < upright && wall.normal[1] > 0.0) outermost(walls.floor, wall.point[1], 1.0);
+    if (std::fabs(wall.normal[1]) < straight && spans(1)) {
+      if (wall.point[0] < grains.low[0]) nearest(walls.left, wall.point[0], 1.0);
+      if (wall.point[0] > grains.high[0]) nearest(walls.right, wall.point[0], -1.0);
+    }
+    if (std::fabs(wall.normal[0]) < straight && spans(0) && wall.point[1] < grains.low[1])
+      nearest(walls.floor, wall.point[1], 1.0);
   }
   return walls;
 }
 
-/// The box between the planes at the sides of the grains.
+/// The box between the walls at the sides of the grains.
 Box<2> box_between(Box<2> box, const PackingWalls& walls) {
   if (box.periodic) return box;
   if (walls.left) box.x_min = std::max(box.x_min, *walls.left);
@@ -59,7 +87,7 @@ Box<2> box_between(Box<2> box, const PackingWalls& walls) {
   return box;
 }
 
-PackingOptions packing_options(const Record& record) {
+PackingOptions packing_options(const Record& record, const Discs& discs) {
   const auto& scene = record.scene;
   const auto& analysis = scene.analysis;
   PackingOptions options;
@@ -70,7 +98,7 @@ PackingOptions packing_options(const Record& record) {
   options.structure = analysis.structure_factor;
   options.local_density = analysis.local_density;
   if (!has(scene, Needs::deposition)) {
-    options.walls = planes_around(record);
+    options.walls = walls_around(record, extent_of(discs));
     // Heights count from the centres of the base grains, or from height 0.
     if (!scene.base->of_grains() && !scene.start.base) options.slab.base_height = 0.0;
     return options;
@@ -88,7 +116,7 @@ PackingOptions packing_options(const Record& record) {
 void measure_packing(const Record& record, Results& results) {
   const auto& scene = record.scene;
   const auto discs = discs_of(record.grains);
-  const auto options = packing_options(record);
+  const auto options = packing_options(record, discs);
   const auto box = scene.box.walled() ? record.box : box_between(record.box, options.walls);
   auto result = analyse_packing(discs, box, options);
   results.packing = std::move(result.packing);
