@@ -127,6 +127,18 @@ TEST(TimeStep, LargestOfABed) {
   EXPECT_NEAR(largest(2.0, 1e-9, 0.0), 4.0 / (24.0 * std::sqrt(500.0) + std::sqrt(576.0 * 500.0 + 4.0 * 3000.0)), 1e-9);
 }
 
+// 20 grains with k = 500 and C = sqrt(k), a step of 0.007 that counts as 0.01: K dt^2 + 2 C dt = 4 M. Along its own
+// face a piston feels the surface, k_t = 100 and c_t = 10, and its own spring and drag add to both.
+TEST(TimeStep, LeastPistonMass) {
+  const ContactLaws laws{Hooke{500.0, 0.5}, Linear{0.5, 100.0, 0.5}, {}, {}};
+  EXPECT_NEAR(least_piston_mass(laws, {}, {.count = 20.0, .mass = 5.0}, 0.007),
+              0.25 * (20.0 * 500.0 * 1e-4 + 2.0 * 20.0 * std::sqrt(500.0) * 0.01), 1e-9);
+  EXPECT_NEAR(least_piston_mass(laws, {}, {.count = 20.0, .force = 10.0, .alignment = 0.0, .mass = 5.0}, 0.007),
+              0.25 * (20.0 * 100.0 * 1e-4 + 2.0 * 20.0 * 10.0 * 0.01), 1e-6);
+  EXPECT_NEAR(least_piston_mass(laws, {}, {.count = 0.0, .mass = 5.0, .stiffness = 3e4, .drag = 7.0}, 0.007),
+              0.25 * (3e4 * 1e-4 + 2.0 * 7.0 * 0.01), 1e-12);
+}
+
 // The viscous law is d m_red v up to the cap.
 TEST(ViscousLaw, ClosedForm) {
   double nothing = 0.0;

@@ -63,7 +63,7 @@ TEST(PackingSlab, reports_why_there_is_none) {
   EXPECT_EQ(problem(base, box), "nothing was deposited");
   Discs afloat;
   afloat.add({{1.0, 5.0}}, 0.5);
-  EXPECT_EQ(problem(afloat, box), "without base discs the height of the base must be given");
+  EXPECT_EQ(problem(afloat, box), "there are no base grains to count heights from");
   PackingOptions on_floor;
   on_floor.slab.base_height = 0.5;
   EXPECT_TRUE(analyse_packing(afloat, box, on_floor).packing);

@@ -20,7 +20,7 @@ Scene pouring(const std::string& more) {
 
 constexpr TimeSteps leapfrog{0.001, true};
 
-double no_apex() { return 0.0; }
+const SourceView no_apex{[] { return 0.0; }, {}};
 
 /// Releases all grains that are due up to a time.
 Grains<2> released_by(Pour& pour, double time) {

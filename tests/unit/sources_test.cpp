@@ -21,7 +21,7 @@ const std::string hooke = "contact = { normal = { law = \"hooke\", stiffness = 1
 
 constexpr TimeSteps leapfrog{0.001, true};
 
-double no_apex() { return 0.0; }
+const SourceView no_apex{[] { return 0.0; }, {}};
 
 /// The smallest distance between the surfaces of two grains [L], over all pairs.
 double least_gap(const Grains<2>& grains, const Box<2>& box) {
@@ -98,7 +98,7 @@ TEST(Rain, HeightAboveTheApex) {
   const auto scene = raining("height_above = \"apex\"");
   Rain rain(scene, *scene.source.as<RainSource>(), leapfrog, 0);
   Grains<2> grains;
-  rain.release(grains, 0.0, [] { return 3.25; });
+  rain.release(grains, 0.0, {[] { return 3.25; }, {}});
   ASSERT_EQ(grains.size(), 1U);
   EXPECT_EQ(grains.line[0].position[1], 12.25);
 }

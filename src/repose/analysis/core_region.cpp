@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/analysis/core_region.hpp"
 
+#include <cmath>
 #include <numbers>
 #include <unordered_map>
 
@@ -16,7 +17,7 @@ CoreRegion measure_core(const Grains<2>& grains, const Contacts<2>& contacts, co
   for (std::size_t k = 0; k < grains.size(); ++k) place.emplace(grains.id[k], k);
   std::unordered_map<std::int64_t, std::size_t> ends;
   for (const auto& contact : contacts.list) {
-    if (contact.normal_force <= threshold) continue;
+    if (!(std::fabs(contact.normal_force) > threshold)) continue;
     ++ends[contact.first];
     if (contact.second >= 0) ++ends[contact.second];
   }
@@ -26,7 +27,9 @@ CoreRegion measure_core(const Grains<2>& grains, const Contacts<2>& contacts, co
   for (const auto& cell : cells) {
     const auto& grain = grains.line[place.at(cell.id)];
     const double height = grain.position[1] - base_height;
-    if (!cell.closed || height < above_base || depth_below_surface(heap, grain.position[0], height) < depth) continue;
+    if (!cell.closed || !(cell.area > 0.0) || height < above_base ||
+        depth_below_surface(heap, grain.position[0], height) < depth)
+      continue;
     ++core.grains;
     discs += std::numbers::pi * grain.radius * grain.radius;
     area += cell.area;

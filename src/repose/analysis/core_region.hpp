@@ -21,7 +21,7 @@ struct CoreRegion {
 
 /// Measures the core. It consists of the grains of the heap that have closed cells and whose centres lie at least
 /// `depth` [L] below the surface (perpendicular to the flank on their side) and at least `above_base` [L] above the
-/// base centres. Contacts with a normal force above `threshold` [M L/T^2] count.
+/// base centres. Contacts with a normal force, push or pull, above `threshold` [M L/T^2] count.
 CoreRegion measure_core(const Grains<2>& grains, const Contacts<2>& contacts, const HeapShape& heap,
                         const std::vector<VoronoiCell>& cells, double base_height, double depth, double above_base,
                         double threshold);

@@ -31,7 +31,7 @@ ForceNetwork measure_force_network(const Grains<2>& grains, const Contacts<2>& c
   double yy = 0.0;
   double xy = 0.0;
   for (const auto& contact : contacts.list) {
-    if (contact.normal_force <= threshold) continue;
+    if (!(std::fabs(contact.normal_force) > threshold)) continue;
     ++network.contacts;
     ++partners[place.at(contact.first)];
     if (contact.second >= 0) ++partners[place.at(contact.second)];

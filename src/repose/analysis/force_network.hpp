@@ -20,8 +20,8 @@ struct ForceNetwork {
   std::optional<double> direction_deg;   ///< axis of l1 from the horizontal, in (-90, 90]
 };
 
-/// Measures the network of contacts with a normal force above `threshold` [M L/T^2]. Coordination and connectivity are
-/// those of the grains flagged `in_heap`; the other numbers are over all these contacts.
+/// Measures the network of contacts with a normal force, push or pull, above `threshold` [M L/T^2]. Coordination and
+/// connectivity are those of the grains flagged `in_heap`; the other numbers are over all these contacts.
 ForceNetwork measure_force_network(const Grains<2>& grains, const Contacts<2>& contacts,
                                    const std::vector<bool>& in_heap, double threshold);
 

@@ -15,6 +15,7 @@ namespace {
 constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr double lowest_used = 0.1;
 constexpr double highest_used = 0.9;
+constexpr double highest_end = 0.5;  // of a heap, over the height of its apex
 
 /// Least-squares line through the used bins of surface[first..last); `outward` is -1 on the left flank, +1 on the
 /// right.
@@ -59,6 +60,12 @@ std::optional<double> moments_angle(const Grains<D>& grains, const std::vector<b
   }
   if (spread == 0.0) return std::nullopt;
   return std::atan2(y, spread) * degrees;
+}
+
+/// Whether the surface falls to both sides, as that of a heap, and not only to the walls of a silo or pipe.
+bool falls_off(const HeapShape& shape) {
+  const double low = highest_end * shape.apex_height;
+  return shape.surface.front().height < low && shape.surface.back().height < low;
 }
 
 }  // namespace
@@ -129,7 +136,7 @@ HeapShape measure_heap(const Grains<D>& grains, const std::vector<bool>& in_heap
   }
   shape.left = fit(shape.surface, 0, apex_place, -1.0);
   shape.right = fit(shape.surface, apex_place + 1, shape.surface.size(), 1.0);
-  shape.moments_angle_deg = moments_angle(grains, in_heap, base_height);
+  if (falls_off(shape)) shape.moments_angle_deg = moments_angle(grains, in_heap, base_height);
   return shape;
 }
 

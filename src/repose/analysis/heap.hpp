@@ -31,7 +31,9 @@ struct HeapShape {
   double apex_height = 0.0;         ///< [L] above the base
   std::optional<FlankLine> left;
   std::optional<FlankLine> right;
-  std::optional<double> moments_angle_deg;  ///< atan(<y>/<|x - <x>|>), exact for a triangle of uniform density
+  /// atan(<y>/<|x - <x>|>), exact for a triangle of uniform density; none unless the surface falls below half the
+  /// height of the apex at both ends, since a bed between walls has no such angle.
+  std::optional<double> moments_angle_deg;
 };
 
 /// The depth [L] below the surface of a point at `height` above the base, perpendicular to the flank on its side of the

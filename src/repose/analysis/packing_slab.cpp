@@ -29,7 +29,7 @@ SlabResult find_slab(const Discs& discs, const Box<2>& box, const SlabOptions& o
   }
   if (deposited == 0.0) return {{}, "nothing was deposited"};
   const double base = static_cast<double>(discs.size()) - deposited;
-  if (!options.base_height && base == 0.0) return {{}, "without base discs the height of the base must be given"};
+  if (!options.base_height && base == 0.0) return {{}, "there are no base grains to count heights from"};
 
   Slab slab;
   slab.box = box;

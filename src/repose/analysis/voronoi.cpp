@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/analysis/voronoi.hpp"
 
+#include "repose/analysis/visible_part.hpp"
 #include "repose/core/errors.hpp"
 #include "repose/neighbours/cell_grid.hpp"
 
@@ -13,6 +14,7 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace repose {
 
@@ -123,6 +125,34 @@ class Surroundings {
   std::vector<Neighbour> near_;
 };
 
+/// The pieces of finite walls near a point, in units of the largest diameter and relative to it.
+std::vector<PieceOfWall> pieces_near(const Vec<2>& centre, const std::vector<FlatWall>& walls, const Box<2>& box,
+                                     double unit, double reach) {
+  std::vector<PieceOfWall> near;
+  for (const auto& wall : walls) {
+    if (!std::isfinite(wall.half_length)) continue;
+    const Vec<2> along = Vec<2>{{wall.normal[1], -wall.normal[0]}} * wall.half_length;
+    const Vec<2> nearest = separation(wall.point, centre, box);
+    for (int image = box.periodic ? -1 : 0; image <= (box.periodic ? 1 : 0); ++image) {
+      Vec<2> middle = nearest;
+      if (image != 0) middle[0] += image * box.width();
+      const PieceOfWall piece{(middle - along) * (1.0 / unit), (middle + along) * (1.0 / unit)};
+      if (distance_to(piece) < reach) near.push_back(piece);
+    }
+  }
+  return near;
+}
+
+double doubled_area(const std::vector<Vec<2>>& vertices) {
+  double doubled = 0.0;
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    const auto& a = vertices[k];
+    const auto& b = vertices[(k + 1) % vertices.size()];
+    doubled += a[0] * b[1] - a[1] * b[0];
+  }
+  return doubled;
+}
+
 /// The polygon of one cell, about the origin and in units of the largest diameter: the end of a prism that voro++ cuts.
 class Polygon {
  public:
@@ -155,38 +185,48 @@ class Polygon {
     }
   }
 
-  /// Sets the vertices, the area and `closed` of the cell of a grain at `centre`.
-  void store(VoronoiCell& cell, const Vec<2>& centre, double unit) {
-    cell.closed = true;
-    if (empty_) return;
-    prism_.vertices(places_);
-    prism_.neighbors(faces_);
-    prism_.face_vertices(corners_);  // for each face, the number of its vertices, then the vertices in order
-    std::size_t at = 0;
-    for (const int face : faces_) {
-      const auto count = static_cast<std::size_t>(corners_[at]);
-      if (at_cut_off(face)) cell.closed = false;
-      if (face == end_of_prism) store_outline(cell, at + 1, count);
-      at += count + 1;
-    }
-    cell.area *= squared(unit);
-    for (auto& vertex : cell.vertices) vertex = centre + vertex * unit;
+  /// The outline of the cell; without vertices if nothing is left.
+  Outline outline() {
+    if (empty_) return {};
+    return find_outline();
   }
 
  private:
-  void store_outline(VoronoiCell& cell, std::size_t first, std::size_t count) {
-    for (std::size_t k = first; k < first + count; ++k) {
-      const auto place = 3 * static_cast<std::size_t>(corners_[k]);
-      cell.vertices.push_back({{places_[place], places_[place + 1]}});
+  Outline find_outline() {
+    prism_.vertices(places_);
+    prism_.neighbors(faces_);
+    prism_.face_vertices(corners_);  // for each face, the number of its vertices, then the vertices in order
+    Outline outline;
+    std::vector<int> ends;                 // numbers of the vertices of the outline
+    std::vector<std::array<int, 2>> open;  // sides at the cut-off
+    std::size_t at = 0;
+    for (const int face : faces_) {
+      const auto count = static_cast<std::size_t>(corners_[at]);
+      const auto corner = [&](std::size_t k) { return corners_[at + 1 + k % count]; };
+      for (std::size_t k = 0; k < count; ++k) {
+        if (at_cut_off(face)) open.push_back({corner(k), corner(k + 1)});
+        if (face == end_of_prism) ends.push_back(corner(k));
+      }
+      at += count + 1;
     }
-    double doubled = 0.0;
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto& a = cell.vertices[k];
-      const auto& b = cell.vertices[(k + 1) % count];
-      doubled += a[0] * b[1] - a[1] * b[0];
+    const auto place_of = [&](int number) {
+      const auto place = 3 * static_cast<std::size_t>(number);
+      return Vec<2>{{places_[place], places_[place + 1]}};
+    };
+    for (const int number : ends) outline.vertices.push_back(place_of(number));
+    if (doubled_area(outline.vertices) < 0.0) {
+      std::reverse(outline.vertices.begin(), outline.vertices.end());
+      std::reverse(ends.begin(), ends.end());
     }
-    if (doubled < 0.0) std::reverse(cell.vertices.begin(), cell.vertices.end());
-    cell.area = 0.5 * std::fabs(doubled);
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      const int a = ends[k];
+      const int b = ends[(k + 1) % ends.size()];
+      const bool cut_off = std::any_of(open.begin(), open.end(), [&](const auto& side) {
+        return side == std::array{a, b} || side == std::array{b, a};
+      });
+      outline.bounded.push_back(cut_off ? 0 : 1);
+    }
+    return outline;
   }
 
   double cut_off_;  // inscribed radius
@@ -198,6 +238,72 @@ class Polygon {
   std::vector<int> corners_;
 };
 
+/// The cell of a site, about its centre and in units of the largest diameter.
+class CellFinder {
+ public:
+  CellFinder(const Grains<2>& grains, const Sites& sites, const std::vector<FlatWall>& walls, const Box<2>& box,
+             double cut_off)
+      : grains_(grains),
+        sites_(sites),
+        walls_(walls),
+        box_(box),
+        unit_(2.0 * sites.largest_with_cell),  // keeps the absolute tolerance of voro++ small
+        corner_(cut_off / std::cos(std::numbers::pi / cut_off_sides)),
+        surroundings_(grains, sites, box, unit_, cut_off),
+        polygon_(cut_off) {}
+
+  VoronoiCell of(std::size_t site) {
+    const auto k = sites_.grain[site];
+    const auto& grain = grains_.line[k];
+    const auto& neighbours = surroundings_.of(site);
+    const auto pieces = pieces_near(grain.position, walls_, box_, unit_, corner_);
+    std::vector<Neighbour> seen;
+    for (const auto& neighbour : neighbours) {
+      const bool hidden =
+          std::any_of(pieces.begin(), pieces.end(), [&](const auto& piece) { return hides(piece, neighbour.offset); });
+      if (!hidden) seen.push_back(neighbour);
+    }
+    VoronoiCell cell;
+    cell.id = grains_.id[k];
+    const auto all = outline(grain, neighbours);
+    if (pieces.empty()) {
+      cell.vertices = all.vertices;
+      cell.closed = std::find(all.bounded.begin(), all.bounded.end(), 0) == all.bounded.end();
+    } else {
+      auto part = visible_part(all, seen.size() < neighbours.size() ? outline(grain, seen) : all, pieces);
+      cell.vertices = std::move(part.vertices);
+      cell.closed = part.closed;
+    }
+    cell.area = 0.5 * std::fabs(doubled_area(cell.vertices)) * squared(unit_);
+    for (auto& vertex : cell.vertices) vertex = grain.position + vertex * unit_;
+    cell.solid_fraction = cell.area > 0.0 ? std::numbers::pi * squared(grain.radius) / cell.area
+                                          : std::numeric_limits<double>::quiet_NaN();
+    return cell;
+  }
+
+ private:
+  Outline outline(const Grain<2>& grain, const std::vector<Neighbour>& neighbours) {
+    polygon_.start();
+    for (const auto& neighbour : neighbours) polygon_.keep_below(neighbour.offset, neighbour.plane, neighbour_side);
+    for (const auto& wall : walls_) {
+      if (std::isfinite(wall.half_length)) continue;
+      const double height = dot(grain.position - wall.point, wall.normal) / unit_;
+      polygon_.keep_below(-wall.normal, 2.0 * height, wall_side);
+    }
+    polygon_.cut_off_corners();
+    return polygon_.outline();
+  }
+
+  const Grains<2>& grains_;
+  const Sites& sites_;
+  const std::vector<FlatWall>& walls_;
+  const Box<2>& box_;
+  double unit_;
+  double corner_;  // distance of the corners of the cut-off
+  Surroundings surroundings_;
+  Polygon polygon_;
+};
+
 }  // namespace
 
 std::vector<VoronoiCell> voronoi(const OrderedGrains<2>& ordered, const std::vector<bool>& in_heap,
@@ -207,26 +313,9 @@ std::vector<VoronoiCell> voronoi(const OrderedGrains<2>& ordered, const std::vec
   std::vector<VoronoiCell> cells;
   const Sites sites = find_sites(grains, in_heap);
   if (!(sites.largest_with_cell > 0.0)) return cells;
-  const double unit = 2.0 * sites.largest_with_cell;  // keeps the absolute tolerance of voro++ small
-  Surroundings surroundings(grains, sites, box, unit, cut_off);
-  Polygon polygon(cut_off);
+  CellFinder finder(grains, sites, walls, box, cut_off);
   for (std::size_t site = 0; site < sites.grain.size(); ++site) {
-    const auto k = sites.grain[site];
-    if (!in_heap[k]) continue;
-    const auto& grain = grains.line[k];
-    polygon.start();
-    for (const auto& neighbour : surroundings.of(site))
-      polygon.keep_below(neighbour.offset, neighbour.plane, neighbour_side);
-    for (const auto& wall : walls) {
-      const double height = dot(grain.position - wall.point, wall.normal) / unit;
-      polygon.keep_below(-wall.normal, 2.0 * height, wall_side);
-    }
-    polygon.cut_off_corners();
-    VoronoiCell& cell = cells.emplace_back();
-    cell.id = grains.id[k];
-    polygon.store(cell, grain.position, unit);
-    cell.solid_fraction = cell.area > 0.0 ? std::numbers::pi * squared(grain.radius) / cell.area
-                                          : std::numeric_limits<double>::quiet_NaN();
+    if (in_heap[sites.grain[site]]) cells.push_back(finder.of(site));
   }
   return cells;
 }

@@ -6,14 +6,16 @@
 #include "repose/core/vec.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace repose {
 
-/// An infinite straight wall that bounds cells.
+/// A straight wall that bounds cells: an infinite one on the side of its normal, a finite one on both sides.
 struct FlatWall {
-  Vec<2> point{};   ///< [L] any point on it
-  Vec<2> normal{};  ///< unit vector towards the grains
+  Vec<2> point{};   ///< [L] any point on an infinite wall; the middle of a finite one
+  Vec<2> normal{};  ///< unit vector, towards the grains of an infinite wall
+  double half_length = std::numeric_limits<double>::infinity();  ///< [L]
 };
 
 /// The part of the plane that belongs to one grain.
@@ -27,11 +29,14 @@ struct VoronoiCell {
 
 /// Radical Voronoi cells (power diagram: a point x belongs to the disc with the least |x - centre|^2 - radius^2) of the
 /// grains flagged `in_heap`, by ascending id. All grains of the heap and all fixed grains bound cells, with their
-/// images in a periodic box; grains in flight do not. A cell also ends at the walls and at the cut-off, a regular
-/// polygon with 32 sides about the centre whose inscribed circle has the radius `cut_off`, in units of the largest
-/// diameter in the heap. A disc buried in others may have an empty cell: area 0, no vertices. Areas are accurate to
-/// about 1e-11 largest diameters squared, from the tolerance of voro++ for a vertex on a plane. Cost: nearly linear in
-/// the number of grains. Source: Voro++ (Rycroft, Chaos 19, 041111, 2009). Validated by tests/unit/voronoi_test.cpp.
+/// images in a periodic box; grains in flight do not. A cell also ends at the cut-off, a regular polygon with 32 sides
+/// about the centre whose inscribed circle has the radius `cut_off`, in units of the largest diameter in the heap, and
+/// at walls. A finite wall takes away what it hides from the centre, and a grain whose centre it hides does not bound
+/// the cell; so walls act where they stand only. Where a cell extends past the end of a wall, it ends at the line of
+/// sight and is not closed; it need not be convex there. A disc buried in others may have an empty cell: area 0, no
+/// vertices. Areas are accurate to about 1e-11 largest diameters squared, from the tolerance of voro++ for a vertex on
+/// a plane. Cost: nearly linear in the number of grains. Source: Voro++ (Rycroft, Chaos 19, 041111, 2009). Validated by
+/// tests/unit/voronoi_test.cpp.
 std::vector<VoronoiCell> voronoi(const OrderedGrains<2>& grains, const std::vector<bool>& in_heap,
                                  const std::vector<FlatWall>& walls, const Box<2>& box, double cut_off = 1.5);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/box.hpp"
 #include "repose/core/inline.hpp"
 #include "repose/core/vec.hpp"
 
@@ -77,15 +78,17 @@ void move_wall(const WallMotion<D>& motion, WallState& state, double time, doubl
 /// The position and velocity of a wall at one time.
 template <int D>
 struct WallNow {
-  Vec<D> point{};       ///< [L]
-  Vec<D> velocity{};    ///< [L/T]
-  bool present = true;  ///< false once the wall has opened
+  Vec<D> point{};             ///< [L]
+  Vec<D> velocity{};          ///< [L/T]
+  bool present = true;        ///< false once the wall has opened
+  double inverse_mass = 0.0;  ///< [1/M] along its direction of motion; 0 where contacts do not change the motion
 };
 
 template <int D>
 WallNow<D> wall_now(const Wall<D>& wall, const WallState& state, double time) {
+  const bool yields = wall.motion.feels_grains() && time >= wall.motion.start;
   return {wall.point + wall.motion.direction * state.displacement, wall.motion.direction * state.speed,
-          time < wall.opens_at};
+          time < wall.opens_at, yields ? 1.0 / wall.motion.mass : 0.0};
 }
 
 /// The shortest line from a wall to the centre of a grain.
@@ -107,6 +110,25 @@ REPOSE_FN AboveWall<D> above(const Wall<D>& wall, const Vec<D>& from_point) {
   const Vec<D> from_end = from_point - along * (wall.half_length / reach);
   const double distance = magnitude(from_end);
   return {distance, from_end * (1.0 / std::max(distance, std::numeric_limits<double>::min()))};
+}
+
+/// Whether the nearest point of a wall, to a centre at `from_point` [L] relative to the wall's point, is its end.
+template <int D>
+REPOSE_FN bool beyond_end(const Wall<D>& wall, const Vec<D>& from_point) {
+  if (!wall.finite()) return false;
+  return magnitude(from_point - wall.normal * dot(from_point, wall.normal)) > wall.half_length;
+}
+
+/// How deep [L] a wall presses into a grain; negative: the gap between them.
+template <int D>
+REPOSE_FN double wall_overlap(const Wall<D>& wall, const AboveWall<D>& place, double radius) {
+  return (wall.smooth ? 2.0 : 1.0) * radius - place.height;
+}
+
+/// The position [L] of a centre relative to the point of a wall.
+template <int D>
+REPOSE_FN Vec<D> from_wall(const Wall<D>& wall, const WallNow<D>& now, const Vec<D>& centre, const Box<D>& box) {
+  return wall.finite() ? separation(centre, now.point, box) : Vec<D>(centre - now.point);
 }
 
 }  // namespace repose

@@ -74,4 +74,23 @@ double largest_step_of_bed(const ContactLaws& laws, const GrainSize& mover, cons
   return std::min(largest_stable_step(against), largest_stable_step(spinning));
 }
 
+double least_piston_mass(const ContactLaws& laws, const GrainSize& grain, const PistonLoad& load, double step) {
+  const double m = grain.mass;
+  const double d = grain.diameter;
+  const AnyNormal normal_law{laws.normal};
+  const double overlap = static_overlap(normal_law, m, d, load.force);
+  if (!std::isfinite(overlap)) return 0.0;
+  const double distance = d - overlap;
+  const double reduced_mass = m * load.mass / (m + load.mass);
+  const auto touch = make_touch(distance, 1.0 / distance, d, reach(normal_law) * d, 0.0, m, reduced_mass, 0.5 * d);
+  const auto normal = normal_response(normal_law, touch);
+  const auto surface = surface_response({laws.tangential}, touch, normal_force(normal_law, touch));
+  const double head_on = load.alignment * load.alignment;
+  const double stiffness =
+      load.stiffness + load.count * (head_on * normal.stiffness + (1.0 - head_on) * surface.stiffness);
+  const double dashpot = load.drag + load.count * (head_on * normal.dashpot + (1.0 - head_on) * surface.dashpot);
+  const double dt = step / auto_part_of_bed;
+  return 0.25 * (stiffness * dt * dt + 2.0 * dashpot * dt);
+}
+
 }  // namespace repose

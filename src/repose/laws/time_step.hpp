@@ -30,6 +30,22 @@ StiffestContact stiffest_contact(const ContactLaws& laws, const GrainSize& mover
 /// Validated by tests/unit/laws_test.cpp, tests/cli/test_physics.py (beds below and above the limit).
 double largest_step_of_bed(const ContactLaws& laws, const GrainSize& mover, const GrainSize& partner, double force);
 
+/// What a piston moves against: its own spring and drag, and a number of grains.
+struct PistonLoad {
+  double count = 1.0;      ///< grains that touch it at once
+  double force = 0.0;      ///< [M L/T^2] with which each is pressed on it
+  double alignment = 1.0;  ///< cosine between its direction and the normal of its face
+  double mass = 0.0;       ///< [M] of the piston; a dashpot set by restitution depends on it
+  double stiffness = 0.0;  ///< [M/T^2] of its own spring
+  double drag = 0.0;       ///< [M/T]
+};
+
+/// The least mass [M] with which the piston is stable in steps of `step` [T]. The stiffness K and the dashpot C of all
+/// contacts along its motion add up, and K dt^2 + 2 C dt < 4 M as for a bed; a step counts as 1 / auto_part_of_bed
+/// times as long. Validated by tests/unit/laws_test.cpp, tests/cli/test_wall_reports.py (pistons above and below the
+/// limit).
+double least_piston_mass(const ContactLaws& laws, const GrainSize& grain, const PistonLoad& load, double step);
+
 /// A step above w dt = `largest_phase` is refused. "auto" takes the smaller of w dt = `auto_phase` and the fraction
 /// `auto_part_of_bed` of the largest stable step of a bed.
 inline constexpr double largest_phase = 1.0;

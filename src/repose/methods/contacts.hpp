@@ -35,14 +35,12 @@ template <int D>
 Contact<D> contact_with_wall(const Grains<D>& grains, std::size_t grain, const std::vector<Wall<D>>& walls,
                              std::size_t wall, const WallNow<D>& now, const Box<D>& box) {
   const auto& a = grains.line[grain];
-  const bool finite = walls[wall].finite();
-  const Vec<D> from_point = finite ? separation(a.position, now.point, box) : Vec<D>(a.position - now.point);
-  const auto place = above(walls[wall], from_point);
+  const auto place = above(walls[wall], from_wall(walls[wall], now, a.position, box));
   Contact<D> contact;
   contact.first = grains.id[grain];
   contact.second = wall_partner(static_cast<std::int64_t>(wall));
   contact.normal = place.normal;
-  contact.overlap = (walls[wall].smooth ? 2.0 : 1.0) * a.radius - place.height;
+  contact.overlap = wall_overlap(walls[wall], place, a.radius);
   contact.relative_overlap = contact.overlap / (2.0 * a.radius);
   contact.first_lever = a.radius;
   return contact;

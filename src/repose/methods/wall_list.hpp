@@ -3,11 +3,13 @@
 #pragma once
 
 #include "repose/boundaries/wall.hpp"
+#include "repose/boundaries/wall_contacts.hpp"
 #include "repose/core/archive.hpp"
 #include "repose/core/box.hpp"
 #include "repose/core/grains.hpp"
 #include "repose/neighbours/pair_list.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -24,6 +26,23 @@ struct WallPair {
   Vec<D> dissipative{};  ///< [M L/T^2] part of it by dashpot and friction; in a full kernel only
   Vec<D> impulse{};      ///< [M L/T] impulse on the grain since it was last collected
 };
+
+/// The displacements of contacts with walls that others act for pass on to those, where they have none of their own: so
+/// slip goes on across the seam between two walls. `row` has the pairs of one grain, which `contacts` numbers.
+template <int D>
+void pass_on_displacements(const WallContacts<D>& contacts, WallPair<D>* row) {
+  for (const auto& touch : contacts.all()) {
+    auto& from = row[touch.entry];
+    auto& to = row[contacts.acting_for(touch).entry];
+    if (&from == &to) continue;
+    if (to.slip == Tangent<D>{} && to.roll == Tangent<D>{}) {
+      to.slip = from.slip;
+      to.roll = from.roll;
+    }
+    from.slip = {};
+    from.roll = {};
+  }
+}
 
 /// Pairs of grains and walls, for each grain in memory order. The list is built with the pair list and valid as long.
 template <int D>
@@ -54,8 +73,7 @@ class WallList {
       for (std::uint32_t w = 0; w < walls.size() && !grain.fixed(); ++w) {
         if (!now[w].present) continue;
         const auto& wall = walls[w];
-        const Vec<D> from_point =
-            wall.finite() ? separation(grain.position, now[w].point, box) : Vec<D>(grain.position - now[w].point);
+        const Vec<D> from_point = from_wall(wall, now[w], grain.position, box);
         const double within = (wall.smooth ? 2.0 * cutoff : 2.0 * cutoff - 1.0) * grain.radius;
         if (above(wall, from_point).height >= within + 0.5 * skin + list.allowance(i)) continue;
         of_wall[w].push_back(static_cast<std::uint32_t>(pairs.size()));
@@ -63,6 +81,12 @@ class WallList {
       }
       row_start.push_back(static_cast<std::uint32_t>(pairs.size()));
     }
+  }
+
+  /// A copy of the pairs of a grain.
+  std::vector<WallPair<D>> row(std::size_t grain) const {
+    const auto place = [&](std::size_t k) { return pairs.begin() + static_cast<std::ptrdiff_t>(row_start[k]); };
+    return {place(grain), place(grain + 1)};
   }
 
   void exchange(Archive& archive) {

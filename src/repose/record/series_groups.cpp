@@ -58,7 +58,7 @@ const Group<std::vector<SeriesRow>>& series_group() {
           column("grains", &SeriesRow::grains, "", "moving grains present"),
           column("lost", &SeriesRow::lost, "", "grains that have left"),
           column("contacts", &SeriesRow::contacts, "",
-                 "contacts that carry more than `analysis.force_threshold` grain weights"),
+                 "contacts that push or pull with more than `analysis.force_threshold` grain weights"),
           column("kinetic_energy_per_grain", &SeriesRow::kinetic_energy_per_grain, "M L^2/T^2",
                  "translation and rotation"),
           column("force_residual", &SeriesRow::force_residual, "grain weights",

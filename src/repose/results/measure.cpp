@@ -5,6 +5,7 @@
 #include "repose/results/registry.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace repose {
 
@@ -23,7 +24,10 @@ bool has(const Scene& scene, Needs needs) {
 }
 
 MeasureValue measure_value(Object value) { return value; }
-MeasureValue measure_value(double value) { return value; }
+MeasureValue measure_value(double value) {
+  if (!std::isfinite(value)) return {};
+  return value;
+}
 MeasureValue measure_value(std::string value) { return value; }
 MeasureValue measure_value(std::vector<double> value) { return value; }
 MeasureValue measure_value(const Estimate& value) { return value; }

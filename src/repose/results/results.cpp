@@ -6,6 +6,10 @@
 #include "repose/results/measure.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
 #include <utility>
 
 namespace repose {
@@ -18,7 +22,7 @@ constexpr double core_above_base = 2.0;  // diameters
 std::vector<FlatWall> standing_walls(const Record& record) {
   std::vector<FlatWall> walls;
   for (const auto& recorded : record.walls) {
-    if (!recorded.open) walls.push_back({recorded.wall.point, recorded.wall.normal});
+    if (!recorded.open) walls.push_back({recorded.wall.point, recorded.wall.normal, recorded.wall.half_length});
   }
   return walls;
 }
@@ -33,7 +37,58 @@ MotionSettings motion_settings(const Scene& scene, double base_height) {
   return settings;
 }
 
-PackingOptions packing_options(const Scene& scene) {
+/// The smallest box around the centres of the grains that move.
+struct Extent {
+  Vec<2> low{{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}};
+  Vec<2> high{{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()}};
+};
+
+Extent extent_of(const Discs& discs) {
+  Extent extent;
+  for (std::size_t k = 0; k < discs.size(); ++k) {
+    if (discs.base[k]) continue;
+    for (int axis = 0; axis < 2; ++axis) {
+      extent.low[axis] = std::min(extent.low[axis], discs.position[k][axis]);
+      extent.high[axis] = std::max(extent.high[axis], discs.position[k][axis]);
+    }
+  }
+  return extent;
+}
+
+/// Upright walls at the sides of all grains, and a level one below them, hold a packing. A piece of wall holds it if
+/// the grains do not reach past its ends.
+PackingWalls walls_around(const Record& record, const Extent& grains) {
+  constexpr double straight = 1e-9;
+  PackingWalls walls;
+  const auto nearest = [](std::optional<double>& side, double place, double towards) {
+    if (!side || (place - *side) * towards > 0.0) side = place;
+  };
+  for (const auto& [name, start, wall, open] : record.walls) {
+    if (open || wall.smooth) continue;
+    const auto spans = [&](int axis) {
+      return wall.point[axis] - wall.half_length <= grains.low[axis] &&
+             wall.point[axis] + wall.half_length >= grains.high[axis];
+    };
+    if (std::fabs(wall.normal[1]) < straight && spans(1)) {
+      if (wall.point[0] < grains.low[0]) nearest(walls.left, wall.point[0], 1.0);
+      if (wall.point[0] > grains.high[0]) nearest(walls.right, wall.point[0], -1.0);
+    }
+    if (std::fabs(wall.normal[0]) < straight && spans(0) && wall.point[1] < grains.low[1])
+      nearest(walls.floor, wall.point[1], 1.0);
+  }
+  return walls;
+}
+
+/// The box between the walls at the sides of the grains.
+Box<2> box_between(Box<2> box, const PackingWalls& walls) {
+  if (box.periodic) return box;
+  if (walls.left) box.x_min = std::max(box.x_min, *walls.left);
+  if (walls.right) box.x_max = std::min(box.x_max, *walls.right);
+  return box;
+}
+
+PackingOptions packing_options(const Record& record, const Discs& discs) {
+  const auto& scene = record.scene;
   const auto& analysis = scene.analysis;
   PackingOptions options;
   options.slab = {.low = analysis.slab[0], .high = analysis.slab[1], .base_height = std::nullopt};
@@ -42,7 +97,12 @@ PackingOptions packing_options(const Scene& scene) {
   options.correlations = analysis.correlations;
   options.structure = analysis.structure_factor;
   options.local_density = analysis.local_density;
-  if (!has(scene, Needs::deposition)) return options;
+  if (!has(scene, Needs::deposition)) {
+    options.walls = walls_around(record, extent_of(discs));
+    // Heights count from the centres of the base grains, or from height 0.
+    if (!scene.base->of_grains() && !scene.start.base) options.slab.base_height = 0.0;
+    return options;
+  }
   options.slab.base_height = 0.0;
   // Base discs lie on the floor too, and are neighbours already.
   options.walls.floor = -0.5 * scene.grains.diameter;
@@ -55,9 +115,9 @@ PackingOptions packing_options(const Scene& scene) {
 
 void measure_packing(const Record& record, Results& results) {
   const auto& scene = record.scene;
-  const auto& box = record.box;
   const auto discs = discs_of(record.grains);
-  const auto options = packing_options(scene);
+  const auto options = packing_options(record, discs);
+  const auto box = scene.box.walled() ? record.box : box_between(record.box, options.walls);
   auto result = analyse_packing(discs, box, options);
   results.packing = std::move(result.packing);
   results.packing_problem = std::move(result.problem);

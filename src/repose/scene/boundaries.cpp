@@ -3,6 +3,7 @@
 #include "repose/scene/boundaries.hpp"
 
 #include "repose/core/reproducible_math.hpp"
+#include "repose/scene/geometry.hpp"
 #include "repose/scene/keys.hpp"
 #include "repose/scene/scene.hpp"
 
@@ -64,22 +65,29 @@ void check_direction(const std::string& key, const std::array<double, 2>& vector
   }
 }
 
-void check_motion(const std::string& prefix, const SceneWall& wall, const Scene& scene, Problems& problems) {
-  if (const auto* direction = wall.motion->direction()) {
-    check_direction(prefix + std::string(wall.motion->direction_key()), *direction, problems);
-  }
-  if (wall.motion.as<Piston>() == nullptr || !scene.method->traits().force_laws || !problems.none()) return;
-  // The piston on its spring, or between it and one grain: explicit steps are unstable beyond w dt = 2.
-  const auto motion = wall.motion->motion();
+/// An explicit step must follow a piston on its spring and between the grains that may touch it at once.
+void check_piston(const std::string& prefix, const Wall<2>& piston, const Scene& scene, Problems& problems) {
+  const auto& motion = piston.motion;
   const double step = scene.time_step();
   const double frequency = scene.contact_frequency();
   const double contact = scene.grains.mass * (frequency * frequency);
   const double phase = step * std::sqrt((motion.stiffness + contact) / motion.mass);
-  if (phase <= 1.0) return;
+  const auto least = scene.least_piston(piston);
+  const double needed = std::max(least.mass, phase > 1.0 ? motion.mass * phase * phase : 0.0);
+  if (motion.mass >= needed) return;
   problems.problem(prefix + "mass",
-                   fmt::format(" = {}: too light for the time step {:.4g}: w dt = {:.3g} > 1 against one grain and its "
-                               "spring; at least {:.4g} [M], and more where many grains touch it",
-                               motion.mass, step, phase, motion.mass * phase * phase));
+                   fmt::format(" = {}: too light for the time step {:.4g}: up to {:.0f} grains may touch the piston at "
+                               "once, and it cannot follow them; at least {:.4g} [M], or a smaller method.time_step",
+                               motion.mass, step, least.grains, needed));
+}
+
+void check_motion(const std::string& prefix, const SceneWall& wall, std::size_t number, const Scene& scene,
+                  Problems& problems) {
+  if (const auto* direction = wall.motion->direction()) {
+    check_direction(prefix + std::string(wall.motion->direction_key()), *direction, problems);
+  }
+  if (wall.motion.as<Piston>() == nullptr || !scene.method->traits().force_laws || !problems.none()) return;
+  check_piston(prefix, make_walls(scene)[number], scene, problems);
 }
 
 /// Walls are known by their names in the output.
@@ -112,6 +120,7 @@ void check_box(const Scene& scene, Problems& problems) {
 }
 
 void check_planes(const Scene& scene, Problems& problems) {
+  const std::size_t before = scene.base->wall(scene) ? 1 : 0;  // walls of the scene that precede the planes
   for (std::size_t k = 0; k < scene.planes.size(); ++k) {
     const auto prefix = fmt::format("plane[{}].", k);
     const auto& normal = scene.planes[k].normal;
@@ -122,11 +131,12 @@ void check_planes(const Scene& scene, Problems& problems) {
                        fmt::format(" = [{}, {}]: a plane must be level in a periodic box; a [[wall]] need not be",
                                    normal[0], normal[1]));
     }
-    check_motion(prefix, scene.planes[k], scene, problems);
+    check_motion(prefix, scene.planes[k], before + k, scene, problems);
   }
 }
 
 void check_pieces(const Scene& scene, Problems& problems) {
+  const std::size_t before = (scene.base->wall(scene) ? 1 : 0) + scene.planes.size();
   for (std::size_t k = 0; k < scene.pieces.size(); ++k) {
     const auto& piece = scene.pieces[k];
     const auto prefix = fmt::format("wall[{}].", k);
@@ -134,7 +144,7 @@ void check_pieces(const Scene& scene, Problems& problems) {
     if (length < 1e-6 * scene.grains.diameter && problems.sound(prefix + "from") && problems.sound(prefix + "to")) {
       problems.problem(prefix + "to", fmt::format(" = [{}, {}]: is where the wall begins", piece.to[0], piece.to[1]));
     }
-    check_motion(prefix, piece, scene, problems);
+    check_motion(prefix, piece, before + k, scene, problems);
   }
 }
 

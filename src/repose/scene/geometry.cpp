@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/scene/geometry.hpp"
 
+#include "repose/core/errors.hpp"
+
+#include <cmath>
+
 namespace repose {
 
 namespace {
@@ -36,6 +40,45 @@ std::vector<Wall<2>> make_walls(const Scene& scene) {
     walls.push_back(wall);
   }
   return walls;
+}
+
+std::vector<WallNow<2>> walls_at(const std::vector<Wall<2>>& walls, const std::vector<WallState>& states, double time) {
+  REPOSE_ASSERT(states.empty() || states.size() == walls.size());
+  std::vector<WallNow<2>> now;
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    now.push_back(wall_now(walls[w], states.empty() ? WallState{} : states[w], time));
+  }
+  return now;
+}
+
+std::optional<std::size_t> wall_in_the_way(const std::vector<Wall<2>>& walls, const std::vector<WallNow<2>>& now,
+                                           const Box<2>& box, const Vec<2>& centre, double radius, double reach) {
+  const double kept_free = 2.0 * radius * (reach - 1.0);
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    if (!now[w].present) continue;
+    const auto place = above(walls[w], from_wall(walls[w], now[w], centre, box));
+    if (wall_overlap(walls[w], place, radius) + kept_free > 0.0) return w;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> wall_that_blocks(const Scene& scene, double x, double half_width, double height) {
+  const auto walls = make_walls(scene);
+  auto now = walls_at(walls, {}, 0.0);
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    now[w].present = walls[w].motion.kind == WallMotion<2>::Kind::none && !std::isfinite(walls[w].opens_at);
+  }
+  const auto box = make_box(scene);
+  const double radius = 0.5 * scene.smallest_drawn();
+  constexpr int places = 1000;
+  std::optional<std::size_t> blocking;
+  for (int k = -places; k <= places; ++k) {
+    const Vec<2> place{{x + half_width * k / places, height}};
+    const auto wall = wall_in_the_way(walls, now, box, place, radius, scene.contact_reach());
+    if (!wall) return std::nullopt;
+    if (k == 0) blocking = wall;
+  }
+  return blocking;
 }
 
 std::vector<std::string> wall_names(const Scene& scene) {

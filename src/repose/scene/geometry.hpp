@@ -6,7 +6,9 @@
 #include "repose/core/box.hpp"
 #include "repose/scene/scene.hpp"
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,18 @@ namespace repose {
 
 /// The walls of the scene at the start: a base plane first, then planes, then segments.
 std::vector<Wall<2>> make_walls(const Scene& scene);
+
+/// The walls at a time [T]. `states` has an entry for each, or none where all stand still.
+std::vector<WallNow<2>> walls_at(const std::vector<Wall<2>>& walls, const std::vector<WallState>& states, double time);
+
+/// The first wall that a grain of a radius [L] at `centre` would touch, by its number: two bodies touch that are nearer
+/// than `reach` times the sum of their radii.
+std::optional<std::size_t> wall_in_the_way(const std::vector<Wall<2>>& walls, const std::vector<WallNow<2>>& now,
+                                           const Box<2>& box, const Vec<2>& centre, double radius, double reach);
+
+/// The number of a wall that keeps the smallest grain from every place of a level line, x +- half_width [L]; none if
+/// there is room somewhere. Walls that move or open may give way and do not count.
+std::optional<std::size_t> wall_that_blocks(const Scene& scene, double x, double half_width, double height);
 
 /// Their names, in the same order.
 std::vector<std::string> wall_names(const Scene& scene);

@@ -77,8 +77,9 @@ void packing_keys(Scene& scene, Parameters& keys) {
     analysis.packing = true;
   }
   if (!*analysis.packing) return;
-  keys.vector("analysis.slab", analysis.slab, std::array<double, 2>{0.4, 1.4}, "",
-              "edges of the slab above the base centres, in mean heights of the grains");
+  keys.vector(
+      "analysis.slab", analysis.slab, std::array<double, 2>{0.4, 1.4}, "",
+      "edges of the slab above the base centres, or above height 0 without base grains, in mean heights of the grains");
   keys.number("analysis.contact_gap", analysis.contact_gap, traits.contact_gap, not_negative, "diameters",
               "grains closer than this touch");
   keys.integer("analysis.direction_bins", analysis.direction_bins, {.low = 1},

@@ -78,8 +78,15 @@ struct Scene {
   /// The number of grains that may stand above one at the base, for overlaps at rest: all grains in a heap of 30
   /// degrees.
   double expected_column() const { return source->column(*this); }
+  double contact_reach() const;        ///< two grains act on each other within this times the sum of their radii
   double contact_frequency() const;    ///< [1/T] of the stiffest contact that a time step is judged by
   double largest_step_of_bed() const;  ///< [T] with which grains under the expected column come to rest
+  /// What a piston needs to be stable against the grains that may touch it at once.
+  struct LeastPiston {
+    double mass = 0.0;    ///< [M]
+    double grains = 1.0;  ///< their estimated number
+  };
+  LeastPiston least_piston(const repose::Wall<2>& piston) const;
 
   double time_step() const { return method->time_step(*this); }
   std::optional<double> speed_limit() const { return method->speed_limit(*this); }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/scene/source.hpp"
 
+#include "repose/scene/geometry.hpp"
 #include "repose/scene/keys.hpp"
 #include "repose/scene/scene.hpp"
 
@@ -34,6 +35,41 @@ void placed_keys(Scene& scene, Parameters& keys) {
   });
 }
 
+/// Grains that exist at the start must not lie in walls: the first of the source that does, and each placed one.
+void check_places(const Scene& scene, Problems& problems) {
+  if (!problems.none()) return;
+  const auto walls = make_walls(scene);
+  const auto now = walls_at(walls, {}, 0.0);
+  const auto box = make_box(scene);
+  const auto find = [&](const std::string& key, const std::string& what, const Vec<2>& place, double radius,
+                        double allowed) {
+    const auto wall = wall_in_the_way(walls, now, box, place, radius * (1.0 - 2.0 * allowed), 1.0);
+    if (!wall) return false;
+    const auto at = above(walls[*wall], from_wall(walls[*wall], now[*wall], place, box));
+    problems.problem(key,
+                     fmt::format("{}wall \"{}\" presses into it by {:.3g} diameters", what, wall_names(scene)[*wall],
+                                 wall_overlap(walls[*wall], at, radius) / (2.0 * radius)));
+    return true;
+  };
+  constexpr double of_lattice = 0.01;  // diameters; a lattice is laid beside walls, and placed grains may press on them
+  constexpr double of_placed = 0.1;
+  Grains<2> grains;
+  std::int64_t id = 0;
+  if (scene.source->placed() > 0 && !walls.empty()) scene.source->add_grains(scene, grains, id);
+  for (std::size_t k = 0; k < grains.size(); ++k) {
+    const auto& grain = grains.line[k];
+    const auto what = fmt::format(" = \"{}\": grain at ({:.6g}, {:.6g}) has no room: ", scene.source->name(),
+                                  grain.position[0], grain.position[1]);
+    if (find("source.kind", what, grain.position, grain.radius, of_lattice)) break;
+  }
+  for (std::size_t k = 0; k < scene.placed.size(); ++k) {
+    const auto& grain = scene.placed[k];
+    if (grain.fixed) continue;
+    find(fmt::format("grain[{}].position", k), fmt::format(" = [{}, {}]: ", grain.position[0], grain.position[1]),
+         {{grain.position[0], grain.position[1]}}, 0.5 * grain.diameter, of_placed);
+  }
+}
+
 }  // namespace
 
 void source_keys(Scene& scene, Parameters& keys) {
@@ -57,6 +93,7 @@ void check_sources(const Scene& scene, Problems& problems) {
           key, fmt::format(" = [{}, {}]: must lie within the box, x = +-{}", place[0], place[1], scene.box.half_width));
     }
   }
+  if (scene.method->traits().follows_time) check_places(scene, problems);
 }
 
 }  // namespace repose

@@ -3,6 +3,7 @@
 #include "repose/laws/time_step.hpp"
 
 #include "repose/core/reproducible_math.hpp"
+#include "repose/laws/any_law.hpp"
 #include "repose/scene/scene.hpp"
 
 #include <algorithm>
@@ -44,10 +45,51 @@ double highest_fall(const Scene& scene) {
   return fall;
 }
 
+/// The length [L] of a wall along which grains may touch it: all of a finite one, and what lies between the sides of
+/// the box and upright planes of an infinite one. Infinity for an upright infinite wall.
+double length_beside_grains(const Scene& scene, const Wall<2>& wall) {
+  if (wall.finite()) return 2.0 * wall.half_length;
+  if (std::fabs(wall.normal[1]) < std::fabs(wall.normal[0])) return std::numeric_limits<double>::infinity();
+  double left = -scene.box.half_width;
+  double right = scene.box.half_width;
+  for (const auto& plane : scene.planes) {
+    if (plane.normal[1] != 0.0) continue;
+    if (plane.normal[0] > 0.0) left = std::max(left, plane.point[0]);
+    if (plane.normal[0] < 0.0) right = std::min(right, plane.point[0]);
+  }
+  return std::max(0.0, right - left) / std::fabs(wall.normal[1]);
+}
+
 }  // namespace
+
+Scene::LeastPiston Scene::least_piston(const repose::Wall<2>& piston) const {
+  auto moving = static_cast<double>(source->released() + source->placed() + start.moving);
+  for (const auto& grain : placed) moving += grain.fixed ? 0.0 : 1.0;
+  LeastPiston least;
+  const double side_by_side = std::floor(length_beside_grains(*this, piston) / smallest_diameter()) + 1.0;
+  least.grains = std::max(1.0, std::min(moving, side_by_side));
+  const auto& motion = piston.motion;
+  const PistonLoad load{.count = least.grains,
+                        .force = std::max(expected_column() * grain_weight(), motion.force / least.grains),
+                        .alignment = dot(motion.direction, piston.normal),
+                        .mass = motion.mass,
+                        .stiffness = motion.stiffness,
+                        .drag = motion.drag};
+  for_every_contact(*this, [&](const ContactLaws& laws, const GrainSize& mover, const GrainSize&) {
+    least.mass = std::max(least.mass, least_piston_mass(laws, mover, load, time_step()));
+  });
+  return least;
+}
 
 double Scene::rise(const std::array<double, 2>& velocity) const {
   return gravity > 0.0 ? 0.5 * (velocity[0] * velocity[0] + velocity[1] * velocity[1]) / gravity : 0.0;
+}
+
+double Scene::contact_reach() const {
+  double farthest = 1.0;
+  if (!method->traits().force_laws) return farthest;
+  for (const auto& laws : material_laws().table) farthest = std::max(farthest, reach(AnyNormal{laws.normal}));
+  return farthest;
 }
 
 double Scene::contact_frequency() const {

@@ -7,6 +7,7 @@
 #include "repose/simulation/simulation.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace repose {
 
@@ -37,7 +38,7 @@ void Series::add_row(const Simulation& simulation, Method<2>& method) {
   row.grains = static_cast<std::int64_t>(simulation.moving());
   const double threshold = scene.analysis.force_threshold * scene.grain_weight();
   row.contacts = std::count_if(contacts.list.begin(), contacts.list.end(),
-                               [&](const auto& contact) { return contact.normal_force > threshold; });
+                               [&](const auto& contact) { return std::fabs(contact.normal_force) > threshold; });
   row.kinetic_energy_per_grain = row.grains > 0 ? kinetic_energy(grains) / static_cast<double>(row.grains) : 0.0;
   row.force_residual = force_residual(grains, contacts, Vec<2>{{0.0, -scene.gravity}});
   row.max_overlap = max_overlap(contacts);

@@ -187,7 +187,8 @@ void Simulation::refresh() {
 
 void Simulation::release_due_grains() {
   if (source_->due() > time()) return;
-  if (!source_->release(grains_, time(), [this] { return apex(); })) return;
+  const SourceView view{[this] { return apex(); }, method_->walls()};
+  if (!source_->release(grains_, time(), view)) return;
   method_->grains_added(grains_);
   contacts_.reset();
   moving_ = moving_count(grains_);

@@ -72,7 +72,7 @@ class ContactDynamics final : public Method<D> {
   std::size_t known_ = 0;                                 // number of grains when bodies were last numbered
   long step_ = 0;
   bool follows_ = false;  // the first step follows a step of a former run
-  double turned_ = 0.0;   // [L] the largest displacement by which an impact changed the last step
+  double turned_ = 0.0;   // [L] the largest displacement of the last step beyond velocity times step
   std::vector<WallState> walls_;
   std::vector<WallState> walls_at_build_;
   std::vector<Vec<D>> wall_impulses_;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/methods/contact_dynamics/gather.hpp"
 
+#include "repose/boundaries/wall_contacts.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -68,24 +70,36 @@ class Gathering {
     finish(line, approach, input_.laws.of(grains_.material[i], grains_.material[j]), as_body(b));
   }
 
-  void wall(std::uint32_t i, std::uint32_t w) {
+  void walls(std::uint32_t i) {
     const auto& a = grains_.line[i];
-    const auto& wall = input_.settings.walls[w];
-    const auto& now = input_.walls[w];
-    if (!now.present) return;
-    const Vec<D> from_point =
-        wall.finite() ? separation(a.position, now.point, input_.settings.box) : Vec<D>(a.position - now.point);
-    const auto place = above(wall, from_point);
-    const Approach<D> approach{place.normal, place.height - (wall.smooth ? 2.0 : 1.0) * a.radius, a.radius};
-    const auto body = static_cast<std::uint32_t>(grains_.size()) + w;
-    if (!meets(approach, i, body)) return;
-    auto law = input_.laws.of(grains_.material[i], wall.material);
-    if (wall.smooth) law.friction = law.dynamic_friction = law.rolling_friction = 0.0;
-    auto line = begin_line(approach, i, body);
-    finish(line, approach, law, problem_.free[body]);
+    touching_.clear();
+    for (std::uint32_t w = 0; w < input_.walls.size(); ++w) {
+      const auto& wall = input_.settings.walls[w];
+      const auto& now = input_.walls[w];
+      if (!now.present) continue;
+      const auto from_point = from_wall(wall, now, a.position, input_.settings.box);
+      const auto place = above(wall, from_point);
+      if (meets(approach_of_wall(a, wall, place), i, body_of_wall(w))) touching_.add(w, w, from_point, place);
+    }
+    touching_.join(input_.settings.walls, a.radius);
+    for (const auto& touch : touching_.all()) {
+      if (!touching_.acts(touch)) continue;
+      const auto& wall = input_.settings.walls[touch.wall];
+      auto law = input_.laws.of(grains_.material[i], wall.material);
+      if (wall.smooth) law.friction = law.dynamic_friction = law.rolling_friction = 0.0;
+      const auto approach = approach_of_wall(a, wall, touch.place);
+      auto line = begin_line(approach, i, body_of_wall(touch.wall));
+      finish(line, approach, law, problem_.free[line.second]);
+    }
   }
 
  private:
+  static Approach<D> approach_of_wall(const Grain<D>& grain, const Wall<D>& wall, const AboveWall<D>& place) {
+    return {place.normal, place.height - (wall.smooth ? 2.0 : 1.0) * grain.radius, grain.radius};
+  }
+
+  std::uint32_t body_of_wall(std::uint32_t wall) const { return static_cast<std::uint32_t>(grains_.size()) + wall; }
+
   double relative_displacement(std::uint32_t i, std::uint32_t j) const {
     const Vec<D> relative = problem_.free[i].velocity - problem_.free[j].velocity;
     return magnitude(relative) * input_.settings.time_step;
@@ -149,8 +163,9 @@ class Gathering {
   typename std::vector<ContactLine<D>>::const_iterator old_end_;
   Problem<D>& problem_;
   std::vector<Closing>& closing_;
-  double fall_ = 0.0;  // [L]
-  double slow_ = 0.0;  // [L/T]
+  WallContacts<D> touching_;  // of the grain at hand
+  double fall_ = 0.0;         // [L]
+  double slow_ = 0.0;         // [L/T]
 };
 
 }  // namespace
@@ -162,11 +177,10 @@ void gather(const GatherInput<D>& input, const Grains<D>& grains, const PairList
   problem.rolling = false;
   closing.clear();
   Gathering<D> gathering(input, grains, before, problem, closing);
-  const auto walls = static_cast<std::uint32_t>(input.walls.size());
   for (std::uint32_t i = 0; i < pairs.rows(); ++i) {
     for (auto k = pairs.row_start[i]; k < pairs.row_start[i + 1]; ++k) gathering.grain(i, pairs.partner[k]);
     if (grains.line[i].fixed()) continue;
-    for (std::uint32_t w = 0; w < walls; ++w) gathering.wall(i, w);
+    gathering.walls(i);
   }
 }
 

@@ -7,8 +7,11 @@
 #include "repose/core/grains.hpp"
 #include "repose/laws/contact_force.hpp"
 #include "repose/methods/soft/push.hpp"
+#include "repose/methods/wall_list.hpp"
 
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 namespace repose::soft {
 
@@ -92,23 +95,45 @@ REPOSE_FN bool pair_force(const Law& law, const Grain<D>& a, const Grain<D>& b, 
   return pair_force<Periodic>(law, a, b, box, dt, slip, roll, push);
 }
 
-/// The geometry of a grain and a wall. The wall counts as a grain of the same size and nominal mass that contacts do
-/// not move. Returns false if the two are out of reach.
+/// The distance that counts for a law: that of the centres of the grain and of a grain of its size behind the wall.
+template <int D>
+REPOSE_FN double wall_distance(const Grain<D>& a, const Wall<D>& wall, const AboveWall<D>& place) {
+  return wall.smooth ? place.height : place.height + a.radius;
+}
+
+/// The geometry of a grain and a wall in reach, of which `place` is the shortest line to the centre. The wall counts as
+/// a grain of the same size and nominal mass; contacts move it along its direction of motion only, and only a piston.
 template <int D, class Law>
-REPOSE_FN bool wall_geometry(const Law& law, const Grain<D>& a, const Wall<D>& wall, const WallNow<D>& now,
-                             const Box<D>& box, PairGeometry<D>& pair) {
+REPOSE_FN PairGeometry<D> wall_geometry(const Law& law, const Grain<D>& a, const Wall<D>& wall, const WallNow<D>& now,
+                                        const AboveWall<D>& place) {
   const double diameter = 2.0 * a.radius;
-  const Vec<D> from_point = wall.finite() ? separation(a.position, now.point, box) : Vec<D>(a.position - now.point);
-  const auto place = above(wall, from_point);
-  const double distance = wall.smooth ? place.height : place.height + a.radius;
+  const double distance = wall_distance(a, wall, place);
   const double within = reach(law.normal) * diameter;
-  if (!now.present || distance >= within) return false;
   const Vec<D> relative = a.velocity - now.velocity;
   const Tangent<D> slip = tangential(relative, place.normal) - spin_cross(a.rim_velocity, place.normal);
-  pair = {
-      make_touch(distance, 1.0 / distance, diameter, within, -dot(relative, place.normal), a.mass, a.mass, a.radius),
-      place.normal, slip, rolling_part(a.rim_velocity, place.normal), 1.0};
-  return true;
+  const double yielding = now.inverse_mass * squared(dot(wall.motion.direction, place.normal));
+  const double reduced_mass = yielding > 0.0 ? a.mass / (1.0 + a.mass * yielding) : a.mass;
+  return {make_touch(distance, 1.0 / distance, diameter, within, -dot(relative, place.normal), a.mass, reduced_mass,
+                     a.radius),
+          place.normal, slip, rolling_part(a.rim_velocity, place.normal), 1.0};
+}
+
+/// Finds the walls in reach of a grain of a material among the pairs of its row, and which of them act.
+template <int D, class Laws>
+void find_wall_contacts(const Laws& laws, const Grain<D>& grain, std::uint16_t material, const WallPair<D>* row,
+                        std::uint32_t pairs, const std::vector<Wall<D>>& walls, const std::vector<WallNow<D>>& now,
+                        const Box<D>& box, WallContacts<D>& contacts) {
+  contacts.clear();
+  for (std::uint32_t k = 0; k < pairs; ++k) {
+    const auto w = row[k].wall;
+    const auto& wall = walls[w];
+    if (!now[w].present) continue;
+    const auto from_point = from_wall(wall, now[w], grain.position, box);
+    const auto place = above(wall, from_point);
+    const double within = reach(laws.of(material, wall.material).normal) * (2.0 * grain.radius);
+    if (wall_distance(grain, wall, place) < within) contacts.add(w, k, from_point, place);
+  }
+  contacts.join(walls, grain.radius);
 }
 
 /// The forces between a grain and a wall.

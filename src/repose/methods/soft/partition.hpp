@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/boundaries/wall_contacts.hpp"
 #include "repose/core/team.hpp"
 #include "repose/methods/soft/pair_force.hpp"
 #include "repose/neighbours/pair_list.hpp"
@@ -46,7 +47,8 @@ struct Workspace {
   std::vector<Slot<D, Full>> special_sum;  ///< sums of their pushes by other grains
   std::vector<WallState> walls;            ///< every member moves the walls itself, from the same numbers
   std::vector<WallNow<D>> walls_now;
-  double fastest2 = 0.0;  ///< [L^2/T^2] largest squared speed of grains and walls in this step
+  WallContacts<D> at_walls;  ///< of the grain at hand
+  double fastest2 = 0.0;     ///< [L^2/T^2] largest squared speed of grains and walls in this step
   bool trouble = false;
 };
 

@@ -290,20 +290,24 @@ void Soft<D, Law, Full>::for_every_contact(const Grains<D>& grains, double back,
     }
   }
   if (!wall_list_.any()) return;
-  const auto now = walls_now();
+  auto now = walls_now();
+  for (auto& wall : now) wall.point -= wall.velocity * back;
+  WallContacts<D> contacts;
   for (std::size_t i = 0; i < pairs_.rows(); ++i) {
-    for (auto k = wall_list_.row_start[i]; k < wall_list_.row_start[i + 1]; ++k) {
-      const auto& contact = wall_list_.pairs[k];
-      const auto& wall = settings_.walls[contact.wall];
+    auto row = wall_list_.row(i);
+    const auto grain = at(i);
+    soft::find_wall_contacts(laws_, grain, grains.material[i], row.data(), static_cast<std::uint32_t>(row.size()),
+                             settings_.walls, now, settings_.box, contacts);
+    pass_on_displacements(contacts, row.data());
+    for (const auto& touch : contacts.all()) {
+      if (!contacts.acts(touch)) continue;
+      const auto& wall = settings_.walls[touch.wall];
       const auto& law = laws_.of(grains.material[i], wall.material);
-      auto place = now[contact.wall];
-      place.point -= place.velocity * back;
-      const auto grain = at(i);
-      soft::PairGeometry<D> pair;
-      if (!soft::wall_geometry(law, grain, wall, place, settings_.box, pair)) continue;
+      const auto pair = soft::wall_geometry(law, grain, wall, now[touch.wall], touch.place);
+      const auto& contact = row[touch.entry];
       ContactHistory<Tangent<D>> history{turned(contact.slip, pair.normal), turned(contact.roll, pair.normal)};
       const auto force = soft::wall_contact(law, wall, pair, back, history);
-      use(grains.id[i], wall_partner(contact.wall), law, pair, force, history, grain.radius);
+      use(grains.id[i], wall_partner(touch.wall), law, pair, force, history, grain.radius);
     }
   }
 }

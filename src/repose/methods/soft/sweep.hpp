@@ -113,22 +113,31 @@ void add_work(GrainWork& work, const Slot<D, true>& sum, const WallPush<D, true>
 /// The push of the walls on grain i. The force of each wall is also stored with its pair.
 template <bool Full, int D, class Law>
 WallPush<D, Full> push_of_walls(const SweepInput<D, Law>& in, const Grains<D>& grains, std::size_t i,
-                                const Workspace<D, Full>& mine) {
+                                Workspace<D, Full>& mine) {
   WallPush<D, Full> sum;
   const auto& grain = grains.line[i];
+  const auto& walls = in.settings.walls;
   const double dt = in.settings.time_step;
-  for (auto k = in.walls.row_start[i]; k < in.walls.row_start[i + 1]; ++k) {
-    auto& contact = in.walls.pairs[k];
-    const auto& wall = in.settings.walls[contact.wall];
-    const auto& law = in.laws.of(grains.material[i], wall.material);
-    PairGeometry<D> pair;
-    if (!wall_geometry(law, grain, wall, mine.walls_now[contact.wall], in.settings.box, pair)) {
+  auto* const row = in.walls.pairs.data() + in.walls.row_start[i];
+  const auto pairs = in.walls.row_start[i + 1] - in.walls.row_start[i];
+  auto& contacts = mine.at_walls;
+  find_wall_contacts(in.laws, grain, grains.material[i], row, pairs, walls, mine.walls_now, in.settings.box, contacts);
+  pass_on_displacements(contacts, row);
+  auto next = contacts.all().begin();
+  for (std::uint32_t k = 0; k < pairs; ++k) {
+    auto& contact = row[k];
+    const bool in_reach = next != contacts.all().end() && next->entry == k;
+    const auto* const touch = in_reach ? &*next++ : nullptr;
+    if (!in_reach || !contacts.acts(*touch)) {
       contact.slip = {};
       contact.roll = {};
       contact.force = {};
       contact.dissipative = {};
       continue;
     }
+    const auto& wall = walls[contact.wall];
+    const auto& law = in.laws.of(grains.material[i], wall.material);
+    const auto pair = wall_geometry(law, grain, wall, mine.walls_now[contact.wall], touch->place);
     ContactHistory<Tangent<D>> history{turned(contact.slip, pair.normal), turned(contact.roll, pair.normal)};
     const auto force = wall_contact(law, wall, pair, dt, history);
     contact.slip = history.slip;
@@ -160,7 +169,7 @@ REPOSE_FN void finish_row(const SweepInput<D, Law>& in, Grains<D>& grains, std::
 
 /// Finishes the row of a grain that is fixed, near a wall or loaded.
 template <bool Synchronised, bool Full, int D, class Law>
-void finish_special_row(const SweepInput<D, Law>& in, Grains<D>& grains, std::size_t i, const Workspace<D, Full>& mine,
+void finish_special_row(const SweepInput<D, Law>& in, Grains<D>& grains, std::size_t i, Workspace<D, Full>& mine,
                         const Slot<D, Full>& of_pairs) {
   if (grains.line[i].fixed()) {
     grains.reaction[i] += of_pairs.force * in.settings.time_step;

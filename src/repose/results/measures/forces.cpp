@@ -80,7 +80,7 @@ void add_forces(Registry& to) {
     return [=](const Measured& run) { return run.results.chains.list.front().*member; };
   };
   const auto add = [&](Measure measure) { to.measures.push_back(std::move(measure)); };
-  add(measure("forces", "", "normal forces of the contacts that count",
+  add(measure("forces", "", "normal forces of the contacts that count and push",
               [](const Measured& run) { return has_forces(run) ? std::optional(Object{}) : std::nullopt; }));
   add(measure("forces.mean", "grain weights", "mean", mean_force));
   add(measure("forces.strong_fraction", "", "fraction of contacts above the mean",

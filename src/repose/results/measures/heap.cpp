@@ -106,7 +106,8 @@ void add_heap(Registry& to) {
   add(measure("angle_of_repose_deg.left", "deg", "of the line through the left flank", angle_of(&HeapShape::left)));
   add(measure("angle_of_repose_deg.right", "deg", "of the line through the right flank", angle_of(&HeapShape::right)));
   add(measure("angle_of_repose_deg.mean", "deg", "mean of left and right", mean_angle));
-  add(measure("angle_of_repose_deg.moments", "deg", "atan(<y>/<abs(x - <x>)>)",
+  add(measure("angle_of_repose_deg.moments", "deg",
+              "atan(<y>/<abs(x - <x>)>); null unless the surface falls below half of its height at both ends",
               [](const Measured& run) { return run.results.heap.moments_angle_deg; }));
   add(measure("heap_height", "L", "highest grain top above the base centres",
               [](const Measured& run) -> std::optional<double> {

@@ -50,7 +50,7 @@ void add_slab(Registry& to) {
   add(to, "slab", "", "in which the packing is measured", [](const Packing&) { return Object{}; });
   add(to, "slab.low", "L", "lower edge", slab(&Slab::low));
   add(to, "slab.high", "L", "upper edge", slab(&Slab::high));
-  add(to, "slab.base_height", "L", "y of the base centres", slab(&Slab::base_height));
+  add(to, "slab.base_height", "L", "y of the base centres, 0 without base grains", slab(&Slab::base_height));
   add(to, "slab.mean_height", "L", "of the deposited centres above those of the base", slab(&Slab::mean_height));
 }
 

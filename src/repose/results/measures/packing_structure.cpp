@@ -47,7 +47,7 @@ void add_contacts(Registry& to) {
        {
            slab("slab_low", &Slab::low, "lower edge of the slab"),
            slab("slab_high", &Slab::high, "upper edge of the slab"),
-           slab("base_height", &Slab::base_height, "y of the base centres"),
+           slab("base_height", &Slab::base_height, "y of the base centres, 0 without base grains"),
            slab("mean_height", &Slab::mean_height, "of the deposited centres above those of the base"),
            attribute<Measured>(
                "gap", [](const Measured& run) { return run.record.scene.analysis.contact_gap; }, "mean diameters",

@@ -46,7 +46,8 @@ void add_run(Registry& to) {
               [](const Measured& run) { return moving_count(*run.record.grains); }));
   add(measure("grains_released", "", "grains that the source has released", fact(&RunFacts::released)));
   add(measure("grains_lost", "", "grains that left through an open end", fact(&RunFacts::lost)));
-  add(measure("contacts", "", "contacts that carry more than `force_threshold`; in a deposition all, by geometry",
+  add(measure("contacts", "",
+              "contacts that push or pull with more than `force_threshold`; in a deposition all, by geometry",
               contacts));
   add(of_run(measure(
       "force_threshold", "grain weights", "`analysis.force_threshold` of the scene",

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/scene/sources/drop.hpp"
 
+#include "repose/scene/geometry.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,6 +19,11 @@ void DropSource::check(const Scene& scene, Problems& problems) const {
       std::fabs(x) + half_width > scene.box.half_width) {
     problems.problem("source.half_width", fmt::format(" = {}: the opening must lie within the box, x = +-{}",
                                                       half_width, scene.box.half_width));
+  }
+  if (above_apex() || !problems.none()) return;
+  if (const auto wall = wall_that_blocks(scene, x, half_width, height)) {
+    problems.problem("source.height", fmt::format(" = {}: no grain ever finds room there: wall \"{}\" is in the way",
+                                                  height, wall_names(scene)[*wall]));
   }
 }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/simulation/sources/drop.hpp"
 
-#include "repose/laws/any_law.hpp"
 #include "repose/scene/geometry.hpp"
 #include "repose/simulation/sources/pour.hpp"
 #include "repose/simulation/sources/room.hpp"
@@ -20,10 +19,9 @@ Drop::Drop(const Scene& scene, const DropSource& source, const TimeSteps& steps,
       source_(source),
       steps_(steps),
       first_id_(first_id),
-      draw_(scene, Purpose::grain_species, Purpose::grain_size) {
-  if (!scene_.method->traits().force_laws) return;
-  for (const auto& laws : scene_.material_laws().table) reach_ = std::max(reach_, reach(AnyNormal{laws.normal}));
-}
+      draw_(scene, Purpose::grain_species, Purpose::grain_size),
+      walls_(make_walls(scene)),
+      reach_(scene.contact_reach()) {}
 
 double Drop::due() const {
   if (done()) return std::numeric_limits<double>::infinity();
@@ -44,11 +42,12 @@ void Drop::exchange(Archive& archive) {
   archive.value("source/tries", tries_);
 }
 
-bool Drop::release(Grains<2>& grains, double time, const std::function<double()>& apex) {
+bool Drop::release(Grains<2>& grains, double time, const SourceView& view) {
   const auto seed = static_cast<std::uint64_t>(scene_.seed);
-  const double height = source_.height + (source_.above_apex() ? apex() : 0.0);
+  const double height = source_.height + (source_.above_apex() ? view.apex() : 0.0);
   const auto box = make_box(scene_);
   Room room(grains, box, height, 0.5 * scene_.largest_drawn(), reach_);
+  const auto walls = walls_at(walls_, view.walls, time);
   constexpr std::uint32_t tries_at_once = 64;
   const auto before = released_;
   while (due() <= time) {
@@ -62,7 +61,7 @@ bool Drop::release(Grains<2>& grains, double time, const std::function<double()>
     for (std::uint32_t n = 0; n < tries_at_once && !found; ++n) {
       const double place = 2.0 * uniform(seed, Purpose::release_position, index, tries_++) - 1.0;
       grain.position[0] = source_.x + source_.half_width * place;
-      found = room.is_free(grain);
+      found = room.is_free(grain) && !wall_in_the_way(walls_, walls, box, grain.position, grain.radius, reach_);
     }
     if (!found) {
       const double wait = 0.02 * std::sqrt(scene_.grains.diameter / scene_.gravity);

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/boundaries/wall.hpp"
 #include "repose/scene/sources/drop.hpp"
 #include "repose/simulation/sources/draw.hpp"
 #include "repose/simulation/sources/source.hpp"
+
+#include <vector>
 
 namespace repose {
 
@@ -18,7 +21,7 @@ class Drop : public Source {
   std::int64_t released() const override { return released_; }
   std::int64_t count() const override { return source_.count; }
   double due() const override;
-  bool release(Grains<2>& grains, double time, const std::function<double()>& apex) override;
+  bool release(Grains<2>& grains, double time, const SourceView& view) override;
   double waiting(double time) const override;
   std::string buried() const override;
   void exchange(Archive& archive) override;
@@ -37,6 +40,7 @@ class Drop : public Source {
 
   std::int64_t first_id_;
   GrainDraw draw_;
+  std::vector<Wall<2>> walls_;
   double reach_ = 1.0;  // two grains act on each other within this times the sum of their radii
   std::int64_t released_ = 0;
   double retry_ = 0.0;       // [T] of the next try while waiting for room

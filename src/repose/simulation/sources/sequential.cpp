@@ -10,8 +10,36 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace repose {
+
+namespace {
+
+constexpr double touching = 1e-9;  // of the radius: a grain that is laid on a wall is not in its way
+
+/// Height above the point of a wall at which a disc that comes down at `across` [L] beside that point touches it.
+std::optional<double> height_on(const Wall<2>& wall, double across, double radius) {
+  const double distance = (wall.smooth ? 2.0 : 1.0) * radius;
+  const Vec<2> normal = wall.finite() && wall.normal[1] < 0.0 ? -wall.normal : wall.normal;
+  std::optional<double> height;
+  if (normal[1] > 1e-6) {
+    // A wall that slopes lies lower under the centre than beside it.
+    const double rise = (distance - across * normal[0]) / normal[1];
+    const double along = across * normal[1] - rise * normal[0];
+    if (!wall.finite() || std::fabs(along) <= wall.half_length) height = rise;
+  }
+  for (const double end : {-wall.half_length, wall.half_length}) {
+    if (!wall.finite()) break;
+    const double beside = across - end * normal[1];
+    if (std::fabs(beside) >= distance) continue;
+    const double over_end = -end * normal[0] + std::sqrt(distance * distance - beside * beside);
+    height = std::max(over_end, height.value_or(over_end));
+  }
+  return height;
+}
+
+}  // namespace
 
 Sequential::Sequential(const Scene& scene, const SequentialSource& source, const TimeSteps& steps,
                        std::int64_t first_id)
@@ -32,7 +60,8 @@ bool Sequential::at_rest(const Grains<2>& grains) const {
 }
 
 /// Height at which a disc that comes down at x touches something first; 0 where there is nothing.
-double Sequential::first_touch(const Grains<2>& grains, double x, double radius) const {
+double Sequential::first_touch(const Grains<2>& grains, const std::vector<WallNow<2>>& walls, double x,
+                               double radius) const {
   const auto box = make_box(scene_);
   double height = 0.0;
   for (const auto& grain : grains.line) {
@@ -41,43 +70,56 @@ double Sequential::first_touch(const Grains<2>& grains, double x, double radius)
     if (std::fabs(across) >= reach) continue;
     height = std::max(height, grain.position[1] + std::sqrt(reach * reach - across * across));
   }
-  // Planes that slope lie lower under the centre than beside it.
-  for (const auto& wall : walls_) {
-    if (wall.finite() || wall.normal[1] < 1e-6) continue;
-    const double centre = (wall.smooth ? 2.0 : 1.0) * radius - (x - wall.point[0]) * wall.normal[0];
-    height = std::max(height, wall.point[1] + centre / wall.normal[1]);
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    if (!walls[w].present) continue;
+    const double across = from_wall(walls_[w], walls[w], {{x, walls[w].point[1]}}, box)[0];
+    const auto touch = height_on(walls_[w], across, radius);
+    if (touch) height = std::max(height, walls[w].point[1] + *touch);
   }
   return height;
 }
 
 double Sequential::due() const { return done() ? std::numeric_limits<double>::infinity() : next_; }
 
-bool Sequential::release(Grains<2>& grains, double time, const std::function<double()>&) {
+bool Sequential::release(Grains<2>& grains, double time, const SourceView& view) {
   constexpr long quiet_steps = 3;
+  constexpr std::uint32_t tries_at_once = 64;
   next_ = steps_.later(time, steps_.length);
   if (released_ > 0) {
     quiet_ = at_rest(grains) ? quiet_ + 1 : 0;
     if (quiet_ < quiet_steps) return false;
   }
+  const auto seed = static_cast<std::uint64_t>(scene_.seed);
   const auto index = static_cast<std::uint64_t>(released_);
+  const auto walls = walls_at(walls_, view.walls, time);
+  const auto box = make_box(scene_);
   auto [grain, material] = draw_(index);
-  const double place = 2.0 * uniform(static_cast<std::uint64_t>(scene_.seed), Purpose::release_position, index) - 1.0;
-  grain.position[0] = source_.x + source_.half_width * place;
-  grain.position[1] = first_touch(grains, grain.position[0], grain.radius) + source_.height;
+  bool found = false;
+  for (std::uint32_t n = 0; n < tries_at_once && !found; ++n) {
+    const double place = 2.0 * uniform(seed, Purpose::release_position, index, tries_++) - 1.0;
+    grain.position[0] = source_.x + source_.half_width * place;
+    grain.position[1] = first_touch(grains, walls, grain.position[0], grain.radius) + source_.height;
+    const double shrunk = (1.0 - touching) * grain.radius;
+    found = !wall_in_the_way(walls_, walls, box, grain.position, shrunk, 1.0);
+  }
+  if (!found) return false;
   const auto limit = scene_.speed_limit();
   grain.velocity = {{0.0, limit ? -*limit : 0.0}};
   grains.add(grain, first_id_ + released_, false, material);
   ++released_;
   last_ = time;
   quiet_ = 0;
+  tries_ = 0;
   return true;
 }
 
 std::string Sequential::buried() const {
   return fmt::format(
-      "grain {} of {} cannot be released: the others do not come to rest, by source.rest = {} of gravity times time "
-      "step; less tolerance of the solver, or rolling friction, may help",
-      released_ + 1, count(), source_.rest);
+      "grain {} of {} cannot be released: {}", released_ + 1, count(),
+      tries_ > 0 ? "it finds no room between the walls"
+                 : fmt::format("the others do not come to rest, by source.rest = {} of gravity times time step; less "
+                               "tolerance of the solver, or rolling friction, may help",
+                               source_.rest));
 }
 
 void Sequential::exchange(Archive& archive) {
@@ -85,6 +127,7 @@ void Sequential::exchange(Archive& archive) {
   archive.value("source/next_time", next_);
   archive.value("source/last_time", last_);
   archive.value("source/quiet", quiet_);
+  archive.value("source/tries", tries_);
 }
 
 std::unique_ptr<Source> SequentialSource::start(const Scene& scene, const TimeSteps& steps,

@@ -23,7 +23,7 @@ class Sequential final : public Source {
   std::int64_t count() const override { return source_.count; }
   /// Rest is checked after every step.
   double due() const override;
-  bool release(Grains<2>& grains, double time, const std::function<double()>& apex) override;
+  bool release(Grains<2>& grains, double time, const SourceView& view) override;
   double waiting(double time) const override { return time - last_; }
   double patience() const override { return 1e3; }
   std::string buried() const override;
@@ -31,7 +31,7 @@ class Sequential final : public Source {
 
  private:
   bool at_rest(const Grains<2>& grains) const;
-  double first_touch(const Grains<2>& grains, double x, double radius) const;
+  double first_touch(const Grains<2>& grains, const std::vector<WallNow<2>>& walls, double x, double radius) const;
 
   const Scene& scene_;
   const SequentialSource& source_;
@@ -40,9 +40,10 @@ class Sequential final : public Source {
   GrainDraw draw_;
   std::vector<Wall<2>> walls_;
   std::int64_t released_ = 0;
-  double next_ = 0.0;  // [T] of the next check
-  double last_ = 0.0;  // [T] of the last release
-  long quiet_ = 0;     // checks in a row that found all at rest
+  double next_ = 0.0;        // [T] of the next check
+  double last_ = 0.0;        // [T] of the last release
+  long quiet_ = 0;           // checks in a row that found all at rest
+  std::uint32_t tries_ = 0;  // tries so far for the grain that is due
 };
 
 }  // namespace repose

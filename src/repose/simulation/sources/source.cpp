@@ -15,7 +15,7 @@ class Nothing final : public Source {
   std::int64_t released() const override { return 0; }
   std::int64_t count() const override { return 0; }
   double due() const override { return std::numeric_limits<double>::infinity(); }
-  bool release(Grains<2>&, double, const std::function<double()>&) override { return false; }
+  bool release(Grains<2>&, double, const SourceView&) override { return false; }
   double waiting(double) const override { return 0.0; }
   std::string buried() const override { return {}; }
   void exchange(Archive&) override {}

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/boundaries/wall.hpp"
 #include "repose/core/archive.hpp"
 #include "repose/core/grains.hpp"
 #include "repose/methods/time_steps.hpp"
@@ -11,8 +12,15 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace repose {
+
+/// What a source sees of the run.
+struct SourceView {
+  std::function<double()> apex;  ///< height of the highest grain that touches something [L]
+  std::vector<WallState> walls;  ///< an entry for each wall of the scene, or none where all stand still
+};
 
 /// Where grains come from during a run. All that changes is shown to `exchange`; everything random depends on the seed
 /// and the number of the grain alone.
@@ -28,9 +36,9 @@ class Source {
   /// Time [T] at which the next grain is due, one at which the method can stop; infinity once all are released.
   virtual double due() const = 0;
 
-  /// Releases the grains that are due at this time [T] and for which there is room; true if any was. Grains without
-  /// room are due again after a short wait. `apex` gives the height of the highest grain that touches something [L].
-  virtual bool release(Grains<2>& grains, double time, const std::function<double()>& apex) = 0;
+  /// Releases the grains that are due at this time [T] and for which there is room between the others and the walls;
+  /// true if any was. Grains without room are due again after a short wait.
+  virtual bool release(Grains<2>& grains, double time, const SourceView& view) = 0;
 
   /// How long [T] a grain has been due without finding room.
   virtual double waiting(double time) const = 0;

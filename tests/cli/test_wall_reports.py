@@ -1,0 +1,458 @@
+# SPDX-FileCopyrightText: 2026 The Repose developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Walls as they stand: analyses, walls that meet, pistons, and sources beside walls. Units: diameter, mass, gravity."""
+
+import math
+
+import h5py
+import numpy as np
+import pytest
+from conftest import Grains, datasets, number_in, summary
+
+HOOKE = "[contact]\nfriction = 0.0\nnormal = { law = 'hooke', stiffness = 1e4, restitution = 0.5 }\n"
+IMPACT = "gravity = 0.0\n[method]\ntime_step = 2e-5\n" + HOOKE
+
+
+def wall(name, start, end, *lines):
+    return "\n".join([f"[[wall]]\nname = '{name}'\nfrom = {list(start)}\nto = {list(end)}", *lines, ""])
+
+
+# ---- analyses see walls where they stand
+
+BED = """[method]
+time_step = 0.001
+[contact]
+normal = { law = "hooke", stiffness = 1e4, damping = 0.5 }
+[base]
+kind = "row"
+half_width = 12.0
+[box]
+x = "periodic"
+half_width = 12.5
+[source]
+kind = "lattice"
+rows = 14
+columns = 25
+[stop]
+time = 5.0
+"""
+
+
+# A settled triangular lattice has the solid fraction pi / sqrt(12) = 0.9069, and the overlaps of its grains add 5e-4.
+@pytest.mark.parametrize("walls", [
+    "",
+    wall("far above", (-12, 40), (-12, 50)),
+    wall("beside the top", (3, 13.2), (3, 20)),
+    wall("opened", (-20, 6), (20, 6.1), "opens_at = 0"),
+    wall("gone", (-12, 40), (12, 40), "motion = 'velocity'", "velocity = [0, 5]"),
+], ids=lambda text: text.split("'")[1] if text else "none")
+def test_walls_elsewhere_do_not_cut_cells(lab, walls):
+    assert summary(lab.run(BED + walls))["core"]["solid_fraction"] == pytest.approx(0.9074, abs=2e-4)
+
+
+# A container of pieces of wall, tight around 5 x 4 discs at rest: all cells but those of the top are closed unit squares.
+SQUARE = "gravity = 1.0\n[contact]\nnormal = { law = 'hooke', stiffness = 1e7, damping = 0.5 }\n[stop]\ntime = 0.02\n" + "".join(
+    f"[[grain]]\nposition = [{x + 0.5}, {y + 0.5}]\n" for y in range(4) for x in range(5))
+TRAY = wall("left", (0, 9), (0, 0)) + wall("floor a", (0, 0), (2, 0)) + wall("floor b", (2, 0), (9, 0)) + wall("right", (5, 0), (5, 9))
+
+
+def cells(out):
+    with h5py.File(out / "analysis.h5") as file:
+        return {name: item[()] for name, item in file["voronoi"].items()}
+
+
+def test_pieces_that_meet_close_cells(lab):
+    found = cells(lab.run(SQUARE + TRAY))
+    assert found["closed"].tolist() == [1] * 15 + [0] * 5
+    assert found["area"][:15] == pytest.approx(1.0, abs=1e-4)
+
+
+# The right side has moved away by 0.4 within the 0.02: the cells beside it are larger by as much, and no others.
+def test_cells_end_at_a_wall_where_it_is(lab):
+    moved = TRAY.replace("to = [5, 9]", "to = [5, 9]\nmotion = 'velocity'\nvelocity = [20.0, 0.0]")
+    area = cells(lab.run(SQUARE + moved))["area"][:15].reshape(3, 5)
+    assert area[:, :4] == pytest.approx(1.0, abs=2e-3)
+    assert area[:, 4] == pytest.approx(1.4, abs=5e-3)
+
+
+# Without the right side the cells there reach to the cut-off: larger than a closed one, open, and in no mean.
+@pytest.mark.parametrize("right", ["opens_at = 0.0", "motion = 'velocity'\nvelocity = [500.0, 0.0]"])
+def test_cells_beside_a_wall_that_is_gone_are_open(lab, right):
+    found = cells(lab.run(SQUARE + TRAY.replace("to = [5, 9]", "to = [5, 9]\n" + right)))
+    assert found["closed"][:15].reshape(3, 5).tolist() == [[1, 1, 1, 1, 0]] * 3
+    assert (found["area"][[4, 9, 14]] > 1.5).all()
+
+
+# ---- walls that meet
+
+def grain(x, y, vx=0.0, vy=0.0):
+    return f"[[grain]]\nposition = [{x}, {y}]\nvelocity = [{vx}, {vy}]\n"
+
+
+SEAMS = {
+    "one wall": wall("a", (-5, 0), (5, 0)),
+    "two pieces": wall("a", (-5, 0), (0, 0)) + wall("b", (0, 0), (5, 0)),
+    "in the other order": wall("a", (0, 0), (5, 0)) + wall("b", (0, 0), (-5, 0)),
+    "beside the seam": wall("a", (-5, 0), (0.03, 0)) + wall("b", (0.03, 0), (5, 0)),
+    "three pieces": wall("a", (-5, 0), (-0.02, 0)) + wall("b", (-0.02, 0), (0.01, 0)) + wall("c", (0.01, 0), (5, 0)),
+    "a crossing piece": wall("a", (-5, 0), (5, 0)) + wall("b", (0.02, 0), (0.3, -2)),
+    "pieces laid over each other": wall("a", (-5, 0), (1, 0)) + wall("b", (-1, 0), (5, 0)),
+    "a piece on a plane": "[[plane]]\nname = 'p'\npoint = [0, 0]\nnormal = [0, 1]\n" + wall("a", (0, 0), (5, 0)),
+    "a slight bend": wall("a", (-5, 0.02), (0, 0)) + wall("b", (0, 0), (5, 0.02)),
+    "a tip of two": wall("a", (-2, -3), (0, 0)) + wall("b", (2, -3), (0, 0)),
+    "a tip of three": wall("a", (-2, -3), (0, 0)) + wall("b", (0, 0), (2, -3)) + wall("c", (0, 0), (0, -3)),
+    "an end": wall("a", (0, 0), (0, -5)),
+}
+
+
+# The restitution is 0.5 for one contact with a fixed partner, to a part in 1e4 at this step. A bend by 0.46 degrees turns
+# the velocity by as much, which costs 3e-5 of it.
+@pytest.mark.parametrize("walls", SEAMS.values(), ids=SEAMS.keys())
+def test_walls_that_meet_are_felt_once(lab, walls):
+    out = lab.run(IMPACT + walls + grain(0.0, 0.51, 0.0, -1.0) + "[stop]\ntime = 0.1\n")
+    velocity = Grains(out / "run.h5").velocity[0]
+    assert np.hypot(*velocity) == pytest.approx(0.5, abs=1e-3)
+    assert velocity[1] > 0.45
+
+
+def test_rigid_grains_feel_walls_that_meet_once(lab):
+    text = """gravity = 1.0
+[method]
+kind = "contact-dynamics"
+time_step = 1e-3
+[contact]
+friction = 0.0
+restitution = 0.5
+"""
+    rebound = {}
+    for name in ("one wall", "two pieces", "a tip of three"):
+        out = lab.run(text + SEAMS[name] + grain(0.0, 0.6, 0.0, -1.0) + "[stop]\ntime = 0.2\n", out=name.replace(" ", "-"))
+        rebound[name] = Grains(out / "run.h5").velocity[0, 1]
+    assert rebound["two pieces"] == pytest.approx(rebound["one wall"], abs=1e-6)
+    assert rebound["a tip of three"] == pytest.approx(rebound["one wall"], abs=1e-6)
+
+
+ROLLING = """gravity = 1.0
+[method]
+time_step = 2e-3
+[contact]
+friction = 0.5
+normal = { law = "hooke", stiffness = 1e3, damping = 0.2 }
+tangential = { law = "linear", stiffness = 500, damping = 0.1 }
+"""
+
+
+def floor(pieces, length=40.0, bend=0.0):
+    """Pieces that follow each other from -5 on, each turned by `bend` degrees against the last."""
+    x, y, angle, text = -5.0, 0.0, 0.0, ""
+    step = length / pieces
+    for k in range(pieces):
+        a = math.radians(angle)
+        end = (x + step * math.cos(a), y + step * math.sin(a))
+        text += wall(f"w{k}", (x, y), end)
+        (x, y), angle = end, angle + bend
+    return text
+
+
+# A disc that rolls over one wall keeps its velocity; over pieces it crosses a seam every 0.5 and keeps it as well. At rest
+# on the spring it neither bounces nor slips, so that nothing but the seams could stop it.
+@pytest.mark.parametrize("pieces", [1, 80, 400])
+def test_rolling_over_seams_costs_nothing(lab, pieces):
+    text = ROLLING + floor(pieces) + grain(0.0, 0.499, 0.2, 0.0).rstrip() + "\nspin = -0.4\n[stop]\ntime = 100\n"
+    grains = Grains(lab.run(text) / "run.h5")
+    assert grains.velocity[0, 0] == pytest.approx(0.2, rel=1e-4)
+    assert grains.position[0, 0] == pytest.approx(20.0, rel=1e-4)
+
+
+# A disc that slides on a rough wall loses mu g t, and the spring of friction passes on from piece to piece.
+def test_friction_passes_on_at_seams(lab):
+    speed = {}
+    for pieces in (1, 100):
+        text = ROLLING.replace("friction = 0.5", "friction = 0.1") + floor(pieces) + grain(0.0, 0.499, 2.0) + "[stop]\ntime = 4\n"
+        speed[pieces] = Grains(lab.run(text, out=f"out{pieces}") / "run.h5").velocity[0, 0]
+    assert speed[1] == pytest.approx(1.6, rel=2e-3)
+    assert speed[100] == pytest.approx(speed[1], rel=1e-4)
+
+
+# In a corner both walls carry: on a slope of 45 degrees and a wall at a right angle to it, each takes w / sqrt(2).
+def test_both_walls_of_a_corner_carry(lab):
+    text = ROLLING.replace("friction = 0.5", "friction = 0.0") + wall("a", (-3, 3), (0, 0)) + wall("b", (0, 0), (3, 3))
+    out = lab.run(text + grain(0.0, 0.7071) + "[stop]\ntime = 60\n[output]\nseries = 1\n")
+    found = datasets(out / "run.h5")
+    carried = np.hypot(found["/series/wall_force_x"][-1], found["/series/wall_force_y"][-1])
+    assert carried == pytest.approx([math.sqrt(0.5)] * 2, rel=1e-3)
+
+
+def test_seams_give_the_same_bits_for_any_threads(lab):
+    text = ROLLING + floor(60, 30.0, 2.0) + "[source]\nkind = 'pour'\ncount = 60\nrate = 5\nheight = 8\n[stop]\ntime = 20\n"
+    hashes = {summary(lab.run(text, "--threads", n, out=f"t{n}"))["state_hash"] for n in (1, 2, 3)}
+    assert len(hashes) == 1
+
+
+# ---- pistons
+
+def piston(mass, restitution=0.5, extra=""):
+    text = IMPACT.replace("restitution = 0.5", f"restitution = {restitution}")
+    return text + f"""[[plane]]
+name = "p"
+point = [0.0, 0.0]
+normal = [0.0, 1.0]
+motion = "force"
+force = [0.0, -1e-12]
+mass = {mass}
+{extra}[[grain]]
+position = [0.0, 0.51]
+velocity = [0.0, -1.0]
+[stop]
+time = 0.2
+[output]
+series = 0.001
+"""
+
+
+# Both bodies fly apart with the asked fraction of the closing speed, and momentum is conserved.
+@pytest.mark.parametrize("mass", [0.1, 1.0, 10.0])
+@pytest.mark.parametrize("restitution", [0.5, 0.9])
+def test_restitution_against_a_piston(lab, mass, restitution):
+    out = lab.run(piston(mass, restitution))
+    found = datasets(out / "run.h5")
+    height, time = -found["/series/wall_displacement"][:, 0], found["/series/time"]  # it moves along its force, down
+    speed = (height[-1] - height[-21]) / (time[-1] - time[-21])
+    rebound = Grains(out / "run.h5").velocity[0, 1]
+    assert rebound - speed == pytest.approx(restitution, abs=2e-3)
+    assert rebound + mass * speed == pytest.approx(-1.0, abs=2e-3)
+
+
+# A piston that has not begun to move is a wall that nothing moves.
+def test_restitution_before_a_piston_starts(lab):
+    out = lab.run(piston(0.1, extra="start = 5.0\n"))
+    assert Grains(out / "run.h5").velocity[0, 1] == pytest.approx(0.5, abs=1e-3)
+
+
+LIGHT = """[contact]
+friction = 0.3
+normal = { law = "hooke", stiffness = 1e4, damping = 0.3 }
+tangential = { law = "linear", stiffness = 5e3, damping = 0.1 }
+[grains]
+polydispersity = 0.2
+[base]
+kind = "plane"
+[[plane]]
+name = "left"
+point = [-8.0, 0.0]
+normal = [1.0, 0.0]
+[[plane]]
+name = "right"
+point = [8.0, 0.0]
+normal = [-1.0, 0.0]
+[[plane]]
+name = "piston"
+point = [0.0, 60.0]
+normal = [0.0, -1.0]
+motion = "force"
+force = [0.0, -160.0]
+mass = 0.08
+drag = 1.0
+start = 60.0
+[source]
+kind = "pour"
+count = 200
+rate = 10.0
+height = 45.0
+half_width = 7.0
+[box]
+half_width = 20.0
+[stop]
+time = 160.0
+[output]
+series = 0.5
+energy = true
+"""
+
+
+# Sixteen or more grains press on this piston at once: it cannot follow them, and only a heavier one is accepted.
+def test_a_piston_too_light_for_its_bed_is_refused(lab):
+    lab.scene(LIGHT)
+    message = lab.refused("check", "scene.toml", parts=["plane[2].mass = 0.08: too light for the time step", "21 grains"])
+    least = number_in(message, "at least")
+    assert 1.0 < least < 5.0
+    lab.scene(LIGHT.replace("mass = 0.08", f"mass = {1.01 * least}"))
+    assert lab("check", "scene.toml").returncode == 0
+
+
+# The lightest piston that is accepted presses the bed as a heavy one does.
+def test_the_lightest_piston_is_stable(lab):
+    lab.scene(LIGHT)
+    least = number_in(lab.refused("check", "scene.toml"), "at least")
+    out = lab.run(LIGHT.replace("mass = 0.08", f"mass = {1.01 * least}"), timeout=120)
+    found = datasets(out / "run.h5")
+    displacement = found["/series/wall_displacement"][:, 3]
+    assert displacement[-1] == pytest.approx(50.17, abs=0.1)
+    assert np.abs(np.diff(displacement[found["/series/time"] > 80])).max() < 0.01
+    supplied = found["/energy/sources"][-1] + found["/energy/walls_work"][-1]
+    assert abs(found["/energy/error"][-1]) < 0.01 * supplied
+
+
+# ---- sources
+
+POUR = """[method]
+time_step = 0.001
+[contact]
+normal = { law = "hooke", stiffness = 1e4, damping = 0.5 }
+[base]
+kind = "plane"
+[source]
+kind = "pour"
+count = 30
+rate = 2.0
+height = 20.0
+[stop]
+time = 16.0
+[output]
+series = 0.1
+"""
+
+
+def most_energy(out):
+    return datasets(out / "run.h5")["/series/kinetic_energy_per_grain"].max()
+
+
+# A fall from height 20 gives 20; no grain is born inside the shelf, which would shoot it away. There is room for one grain
+# at a time beside it, until that has fallen by a diameter in 1.41.
+def test_grains_are_not_born_in_a_wall(lab):
+    out = lab.run(POUR + wall("shelf", (-2, 20), (3, 20.2)))
+    assert most_energy(out) <= 20.0
+    assert 8 <= summary(out)["grains_released"] <= 12
+
+
+# The opening from -3 to 3 is closed until the gate has gone; grains wait until then.
+def test_grains_wait_for_a_gate(lab):
+    out = lab.run(POUR + wall("gate", (-4, 20), (4, 20), "opens_at = 5"))
+    found = datasets(out / "run.h5")
+    assert (found["/series/grains"][found["/series/time"] < 4.95] == 0).all()
+    assert summary(out)["grains_released"] > 10 and most_energy(out) <= 20.0
+
+
+# A plane sweeps through the opening from the left: grains come to lie in front of it, never behind.
+def test_grains_are_not_born_behind_a_plane(lab):
+    plane = "[[plane]]\nname = 'pusher'\npoint = [-5, 0]\nnormal = [1, 0]\nmotion = 'velocity'\nvelocity = [0.5, 0]\n"
+    out = lab.run(POUR + plane)
+    assert most_energy(out) <= 20.0
+    assert (Grains(out / "run.h5").position[:, 0] > -5 + 0.5 * 16 + 0.4).all()
+
+
+@pytest.mark.parametrize("walls, part", [
+    (wall("lid", (-9, 20.1), (9, 20.1)), 'source.height = 20: no grain ever finds room there: wall "lid" is in the way'),
+    ("[[plane]]\nname = 'roof'\npoint = [0, 15]\nnormal = [0, -1]\n", 'wall "roof" is in the way'),
+])
+def test_sources_without_any_room_are_refused(lab, walls, part):
+    lab.scene(POUR + walls)
+    lab.refused("check", "scene.toml", parts=[part])
+
+
+def test_grains_of_the_start_in_walls_are_refused(lab):
+    text = "[contact]\nnormal = { law = 'hooke', stiffness = 1e4 }\n[base]\nkind = 'plane'\n[stop]\ntime = 1\n"
+    lattice = "[source]\nkind = 'lattice'\nrows = 4\ncolumns = 6\ngap = 0.05\n"
+    lab.scene(text + lattice + wall("post", (1.0, 0.0), (1.0, 2.0)))
+    lab.refused("check", "scene.toml", parts=['source.kind = "lattice": grain at', 'wall "post" presses into it by'])
+    lab.scene(text + lattice + wall("post", (9.0, 0.0), (9.0, 2.0)))
+    assert lab("check", "scene.toml").returncode == 0
+    lab.scene(text + grain(0.0, 0.2))
+    lab.refused("check", "scene.toml", parts=['grain[0].position = [0, 0.2]: wall "base" presses into it by 0.3 diameters'])
+
+
+# Rigid discs laid down one by one come to lie on pieces of wall too, not under or in them.
+def test_discs_are_laid_on_pieces_of_wall(lab):
+    text = """[method]
+kind = "contact-dynamics"
+[contact]
+friction = 0.5
+rolling_friction = 0.1
+[base]
+kind = "plane"
+[source]
+kind = "sequential"
+count = 12
+half_width = 5
+[stop]
+time = 40
+"""
+    out = lab.run(text + wall("shelf", (-3, 4), (3, 4)), timeout=60)
+    height = Grains(out / "run.h5").position[:, 1]
+    assert (height > 0.49).all()
+    assert ((height < 3.51) | (height > 4.49)).all() and (height > 4.0).any()
+
+
+# ---- numbers that mean something
+
+def test_a_packing_on_a_plane_is_measured_from_height_0(lab):
+    text = """[contact]
+normal = { law = "hooke", stiffness = 1e4, damping = 0.5 }
+[base]
+kind = "plane"
+[box]
+x = "periodic"
+half_width = 10.0
+[source]
+kind = "lattice"
+rows = 8
+columns = 18
+gap = 0.05
+jitter = 1.0
+[stop]
+time = 20.0
+"""
+    out = lab.run(text)
+    packing = summary(out)["packing"]
+    height = Grains(out / "run.h5").position[:, 1].mean()
+    assert packing["slab"]["low"] == pytest.approx(0.4 * height, rel=1e-6)
+    assert packing["slab"]["high"] == pytest.approx(1.4 * height, rel=1e-6)
+    assert 0.7 < packing["solid_fraction"]["mean"] < 0.92
+
+
+# Between upright pieces: a square lattice over two periods of its height has the solid fraction pi / 4; the box is wider.
+def test_a_packing_between_pieces_of_wall(lab):
+    out = lab.run(SQUARE + TRAY + "[analysis]\npacking = true\n")
+    packing = summary(out)["packing"]
+    assert packing["solid_fraction"]["mean"] == pytest.approx(math.pi / 4, abs=1e-3)
+    assert packing["coordination"]["mean"] == pytest.approx(4.0, abs=1e-9)
+
+
+TENSION = """[contact]
+normal = { law = "hooke", stiffness = 1e4, damping = 1.0 }
+tangential = { law = "linear", stiffness = 5e3, damping = 0.2 }
+cohesion = { law = "constant", force = 10.0 }
+[[grain]]
+position = [0.0, 10.0]
+fixed = true
+[[grain]]
+position = [0.0, 9.0009]
+[stop]
+time = 5.0
+"""
+
+
+def test_a_contact_in_tension_is_a_contact(lab):
+    found = summary(lab.run(TENSION))
+    assert found["coordination"] == 1.0 and found["contacts"] == 1
+
+
+# The moments of a level bed between walls say nothing of an angle; those of a heap do.
+def test_a_bed_between_walls_has_no_angle(lab):
+    sides = "".join(f"[[plane]]\nname = 's{s}'\npoint = [{-6 * s}, 0]\nnormal = [{s}, 0]\n" for s in (1, -1))
+    text = POUR.replace("count = 30\nrate = 2.0", "count = 120\nrate = 20.0").replace("time = 16.0", "time = 20.0")
+    found = summary(lab.run(text + sides))["angle_of_repose_deg"]
+    assert found["moments"] is None
+
+
+# Walls that meet at the neck of an hourglass used to cut cells down to nothing.
+def test_the_core_of_an_hourglass_is_finite(lab):
+    glass = "".join(wall(f"{side}{k}", (s * x, y), (s * u, v)) for side, s in (("l", -1), ("r", 1))
+                    for k, (x, y, u, v) in enumerate([(5, 14, 0.8, 8), (0.8, 8, 5, 2), (5, 2, 5, 0)]))
+    text = POUR.replace("count = 30\nrate = 2.0", "count = 150\nrate = 20.0").replace("half_width = 3", "half_width = 2")
+    found = summary(lab.run(text.replace("time = 16.0", "time = 25.0") + glass))
+    assert found["core"] is None or 0.7 < found["core"]["solid_fraction"] < 0.95
+
+
+def test_a_heap_has_an_angle_by_moments(heap):
+    assert 5.0 < summary(heap)["angle_of_repose_deg"]["moments"] < 45.0
