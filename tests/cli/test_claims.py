@@ -227,6 +227,7 @@ def test_the_largest_ring_states_its_bias(swept):
 def test_holm_adjusts_for_all_claims_with_data(swept):
     claims = [row for row in swept.claims.values() if row["p_holds"]]
     assert len(claims) == len(CLAIMS) - 1 and swept.claims["unknown"]["verdict"] == "no data"
+    assert (swept.claims["unknown"]["n"], swept.claims["unknown"]["n_missing"]) == ("0", str(SEEDS))
     for kind in ("p_holds", "p_fails"):
         p_values = np.array([number(row, kind) for row in claims])
         order = np.argsort(p_values, kind="stable")
@@ -256,6 +257,7 @@ def test_the_terminal_says_how_it_was_judged(lab, swept):
     (at,) = [k for k, line in enumerate(lines) if f"{swept.claims['steeper']['verdict']:10}  steeper:" in line]
     assert f"by paired t, n = {SEEDS}; p " in lines[at + 1] and "Holm" in lines[at + 1]
     assert any("equal within 30" in line for line in lines)
+    assert "no data     unknown: claimed above 1" in lines
     assert "95 % intervals; one-sided p at 2.5 %" in lab.result.stdout
 
 

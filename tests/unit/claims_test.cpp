@@ -180,6 +180,7 @@ TEST(Claims, HolmAdjustsForTheNumberOfClaims) {
   EXPECT_EQ(verdicts[0].holm_word, "agrees");
   EXPECT_EQ(verdicts[2].word, "no data");
   EXPECT_EQ(verdicts[2].holm_word, "no data");
+  EXPECT_EQ(verdicts[2].missing, 10U);
   EXPECT_TRUE(std::isnan(verdicts[2].p_holds_holm));
 }
 

@@ -14,8 +14,8 @@
 namespace repose {
 namespace {
 
-// 1 degree: the Cauchy distribution, tan(pi (p - 1/2)) in closed form. 2 degrees: t = x sqrt(2/(1 - x^2)) with x = 2p
-// - 1. 9 and 9.5: computed with mpmath to 40 digits. Without end: the normal distribution. Tolerance: rounding of the library's series.
+// 1 degree: the Cauchy distribution, tan(pi (p - 1/2)) in closed form. 2 degrees: t = x sqrt(2/(1 - x^2)), x = 2p - 1.
+// 9 and 9.5: computed with mpmath to 40 digits. Without end: the normal distribution. Tolerance: rounding of series.
 TEST(Student, Quantiles) {
   EXPECT_NEAR(student_quantile(0.975, 1.0), std::tan(std::acos(-1.0) * 0.475), 1e-11);
   EXPECT_NEAR(student_quantile(0.975, 2.0), 0.95 * std::sqrt(2.0 / (1.0 - 0.95 * 0.95)), 1e-12);

@@ -71,8 +71,9 @@ std::string bounds_text(const Claim& claim) {
 /// A claim with its verdict: one line of what was found, one of how it was judged.
 std::string claim_text(const Claim& claim, const Verdict& verdict) {
   const auto& found = verdict.inference;
-  auto text = fmt::format("{:10}  {}: {:.4g} +- {:.2g}, claimed {}\n", verdict.word, claim.text, found.value,
-                          found.error, bounds_text(claim));
+  auto text = fmt::format("{:10}  {}: ", verdict.word, claim.text);
+  if (!std::isnan(found.value)) text += fmt::format("{:.4g} +- {:.2g}, ", found.value, found.error);
+  text += fmt::format("claimed {}\n", bounds_text(claim));
   if (std::isnan(found.error)) return text;
   const bool fails = verdict.p_fails < verdict.p_holds;
   text += fmt::format("{:10}  {:.4g} to {:.4g} by {}, n = {}", "", found.low, found.high, found.test, found.count);
@@ -130,7 +131,8 @@ std::string describe_table(const SweepFolder& folder, const SweepTable& table) {
     text += "\n";
   }
   text += claims_text(plan, table);
-  text += fmt::format("\nwritten          {0}/table.csv, members.csv, sweep.h5\n", folder.path());
+  text += fmt::format("\nwritten          {}/table.csv, members.csv, {}sweep.h5\n", folder.path(),
+                      plan.claims.empty() ? "" : "claims.csv, claims.json, ");
   return text;
 }
 

@@ -80,7 +80,11 @@ Verdict about_equivalence(const Claim& claim, const SweepPlan& plan, const Sweep
 
 Verdict about(const Claim& claim, const SweepPlan& plan, const SweepTable& table) {
   const auto found = std::find(table.measures.begin(), table.measures.end(), claim.measure);
-  if (found == table.measures.end()) return {};
+  if (found == table.measures.end()) {
+    Verdict verdict;
+    for (const auto& name : claim.points) verdict.missing += table.finished[point_number(plan, name)];
+    return verdict;
+  }
   const auto measure = static_cast<std::size_t>(found - table.measures.begin());
   const auto first = point_number(plan, claim.points.front());
   switch (claim.kind) {
