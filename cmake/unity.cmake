@@ -12,8 +12,8 @@ set(compiled_alone
   src/repose/sweep/response_theory src/repose/theory/osl src/repose/theory/pile_tent src/repose/theory/point_load
   tests/theory/osl_test tests/theory/pile_continuum_test tests/theory/pile_lattice_test tests/theory/point_load_test
   tests/unit/chains_test tests/unit/contact_dynamics_walls_test tests/unit/contact_packs_test tests/unit/fabric_test
-  tests/unit/motion_test tests/unit/reproducible_math_test tests/unit/simulation_test tests/unit/structure_factor_test
-  tests/unit/voronoi_test)
+  tests/unit/motion_test tests/unit/reproducible_math_test tests/unit/simulation_test tests/unit/sources_test
+  tests/unit/structure_factor_test tests/unit/voronoi_test)
 
 # Compiles the sources of a target in groups of up to `most` files of one folder.
 function(compile_together target most)

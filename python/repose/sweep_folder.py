@@ -32,7 +32,7 @@ class SweepFolder:
     finished: np.ndarray  # (P) finished members
     parameters: "dict[str, np.ndarray]"  # (P) by key that varies; NaN where not a number or not set
     parameter_text: "dict[str, list[str]]"  # (P) the same as text, "" where not set
-    measures: "dict[str, Table]"  # mean, error, deviation, count: each (P)
+    measures: "dict[str, Table]"  # mean, error, deviation, count; newer also missing, low, high, bias: each (P)
     members: Table  # point, seed, status: each (K)
     values: "dict[str, np.ndarray]"  # measures by member (K)
     profiles: "list[Profile | None]"  # (P)

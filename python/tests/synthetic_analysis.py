@@ -80,7 +80,7 @@ def write_forces(group):
     f = BIN * (np.arange(50) + 0.5)
     density = np.exp(-f)
     density[40] = 0.0
-    direction = 15.0 * (np.arange(12) + 0.5)
+    direction = 15.0 * np.arange(12)
     strong = 1.0 - np.cos(np.radians(2.0 * direction))
     columns = {
         "f": f,

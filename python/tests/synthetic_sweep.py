@@ -89,6 +89,9 @@ def write_profile(group, point, members):
     group.attrs.update({"members": members, "centre": 0.0, "half_width": 20.0})
     group.attrs.update({"dip_index": 1.1 + 0.1 * point, "dip_index_error": 0.02 if members > 1 else np.nan})
     group.attrs.update({"max_over_centre": 1.2, "max_over_centre_error": 0.03})
+    if point != 1:  # as an older program wrote it
+        ends = (1.05, 1.15) if members > 1 else (np.nan, np.nan)
+        group.attrs.update({"dip_index_low": ends[0], "dip_index_high": ends[1]})
     write_group(group.create_group("binned"), profile(5.0 * np.arange(-6, 7), 10.0 + point), bin_width=5.0)
 
 

@@ -174,8 +174,11 @@ def test_chains_draw_the_contacts_of_each_in_its_colour(folder):
     assert legend_of(figure) == [*(str(size) for size in chains["contacts"][:own]), "4 others"]
     assert figure.legends[0].get_window_extent().x1 < figure.bbox.x1
     steps = {patch.get_label(): patch.get_data().values for patch in histogram.patches}
-    np.testing.assert_allclose(steps["all contacts"], run.analysis["forces"]["direction_all"])
-    np.testing.assert_allclose(steps["above the mean force"], run.analysis["forces"]["direction_strong"])
+    for name, column in (("all contacts", "direction_all"), ("above the mean force", "direction_strong")):
+        values = run.analysis["forces"][column]
+        np.testing.assert_allclose(steps[name], [*values, values[0]])  # the first bin holds 0 and 180
+    edges = histogram.patches[0].get_data().edges
+    np.testing.assert_allclose(edges, np.arange(-7.5, 188.0, 15.0))
     assert histogram.get_xlim() == (0.0, 180.0)
 
 

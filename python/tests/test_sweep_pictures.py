@@ -113,7 +113,8 @@ def test_profiles_have_a_panel_for_each_point(sweep):
         assert axes.get_xlim() == pytest.approx((-26.0, 26.0))
         assert axes.get_ylim()[1] > 12.0
     numbers = [axes.texts[0].get_text() for axes in figure.axes]
-    assert numbers[:2] == ["4 members\ndip index 1.10 ± 0.02", "4 members\ndip index 1.20 ± 0.02"]
+    assert numbers[0] == "4 members\ndip index 1.10 ± 0.02\n95 %: 1.05 to 1.15"
+    assert numbers[1] == "4 members\ndip index 1.20 ± 0.02"
     assert numbers[2] == "1 member\ndip index 1.30"
 
 

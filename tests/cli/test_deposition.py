@@ -8,6 +8,7 @@ import math
 import signal
 import subprocess
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -107,11 +108,20 @@ def test_measures_agree_with_the_positions(lab):
     assert abs(2 * half.sum() / (16 * len(middles)) - found["solid_fraction"]) < 1e-5
 
 
+def test_discs_in_contact_are_in_one_bin_of_the_pair_correlation(lab):
+    """The pairs of the example that lie from 1 to 1.1 diameters apart; rounding puts 254 of them just below 1."""
+    example = Path(__file__).parents[2] / "examples/deposition.toml"
+    result = lab("run", example, "--out", "out", "--quiet", "--seed", "3")
+    assert result.returncode == 0, result.stderr
+    pairs = datasets(lab.path / "out/analysis.h5")["/packing/radial/pairs"]
+    assert pairs[:10].sum() == 0 and pairs[10] == 621
+
+
 def test_the_optional_measures_are_written(lab):
     more = "[analysis]\ncorrelations = true\nstructure_factor = true\nlocal_density = true\n"
     found = datasets(lab.run(scene(60, more=more)) / "analysis.h5")
     radial = found["/packing/radial/value"]
-    assert radial[:9].max() == 0 and radial[10] > 3  # none nearer than a diameter, many at a diameter
+    assert radial[:10].max() == 0 and radial[10] > 3  # none nearer than a diameter, many at a diameter
     assert (found["/packing/structure_factor/value"] > 0).all()
     bins = found["/packing/local_density/centre"]
     assert abs(found["/packing/local_density/probability"].sum() * (bins[1] - bins[0]) - 1) < 1e-9

@@ -26,7 +26,7 @@ measure = "angle_of_repose_deg.mean"
 difference = ["friction=0.5", "friction=0.2"]
 above = 0
 """
-TABLES = ("table.csv", "members.csv", "claims.csv", "sweep.h5")
+TABLES = ("table.csv", "members.csv", "claims.csv", "claims.json", "sweep.h5")
 ANGLE = "angle_of_repose_deg.mean"
 
 
@@ -79,18 +79,6 @@ def test_ensemble_profile_is_the_mean_of_the_members_profiles(sweep):
         np.testing.assert_allclose(profile["normal_error"][()], error, rtol=1e-12, atol=1e-15)
         assert profile.attrs["members"] == 3
         assert file["values"][ANGLE].shape == (6,)
-
-
-def test_a_verdict_needs_two_standard_errors(sweep):
-    run_sweep(sweep)
-    (claim,) = rows_of(sweep.path / "out/claims.csv")
-    table = {row["point"]: row for row in rows_of(sweep.path / "out/table.csv")}
-    value = float(table["friction=0.5"][ANGLE]) - float(table["friction=0.2"][ANGLE])
-    error = np.hypot(*(float(table[point][f"{ANGLE}:error"]) for point in table))
-    assert float(claim["value"]) == pytest.approx(value, rel=1e-12)
-    assert float(claim["error"]) == pytest.approx(error, rel=1e-12)
-    expected = "agrees" if value - 2 * error >= 0 else "disagrees" if value + 2 * error < 0 else "undecided"
-    assert claim["verdict"] == expected
 
 
 def test_a_member_equals_a_run_of_its_scene(sweep):
@@ -266,7 +254,11 @@ def test_analyse_of_a_sweep_makes_the_same_tables(sweep):
         (("above = 0", 'above = "0"'), ['sweep.toml:10: claim[0].above = "0": must be a finite number']),
         (('["friction=0.5", "friction=0.2"]', '["friction=0.5", "friction=0.9"]'),
          ['no point "friction=0.9"; there are friction=0.2, friction=0.5']),
-        (("difference", "point = 'friction=0.5'\ndifference"), ["give one of point, difference and spread"]),
+        (("difference", "point = 'friction=0.5'\ndifference"), ["give one of point, difference and equivalent"]),
+        (("above = 0", "above = 0\nmargin = 1"), ["claim[0].margin: goes with equivalent only; give above and below"]),
+        (("difference", "equivalent"), ["claim[0].margin: an equivalence has a margin", "claim[0].margin: missing"]),
+        (("above = 0", "margin = 0"), ["claim[0].margin: goes with equivalent only", "claim[0].above: give above, below"]),
+        (("difference", "spread"), ['claim[0].spread: is judged as an equivalence now: write "equivalent" instead']),
         (("title", "title = 1 2"), ["sweep.toml:1:"]),
     ],
 )

@@ -37,36 +37,62 @@ double integral(const std::vector<double>& density, double bin_width) {
   return sum;
 }
 
-// Four contacts with mean force 1 count: f = 0.25, 0.25, 0.75, 2.75 in the bins 2, 2, 7, 27. One slides, one is above
-// the mean. The fifth also slides but is not above the threshold. Tolerance: rounding of sums of four numbers.
+// Four contacts with mean force 1 count: f = 0.25, 0.25, 0.75, 2.75 in the bins 1, 1, 6, 26 from the threshold on. One
+// slides, one is above the mean. The fifth also slides but is not above the threshold. Tolerance: rounding of sums of
+// four numbers.
 TEST(ForceStatisticsExact, HandMade) {
   Contacts<2> contacts;
   contacts.list = {contact(0.25, 180.0), contact(2.75, -85.0), contact(0.25, 95.0, true), contact(0.75, 33.0),
                    contact(0.125, 33.0, true)};
-  // An axis just below the horizontal counts as horizontal, not as the end of the last bin.
+  // An axis just below the horizontal counts as horizontal.
   contacts.list[0].normal = {{1.0, -1e-18}};
   const auto statistics = measure_force_statistics(contacts, 0.125);
   ASSERT_TRUE(statistics);
   EXPECT_NEAR(statistics->mean, 1.0, 1e-15);
   EXPECT_EQ(statistics->bin_width, 0.1);
-  ASSERT_EQ(statistics->density.size(), 28U);
-  ASSERT_EQ(statistics->f.size(), 28U);
-  ASSERT_EQ(statistics->error.size(), 28U);
-  for (std::size_t k = 0; k < 28; ++k) {
-    const double count = k == 2 ? 2.0 : k == 7 || k == 27 ? 1.0 : 0.0;
-    EXPECT_NEAR(statistics->f[k], 0.1 * static_cast<double>(k) + 0.05, 1e-12);
+  ASSERT_EQ(statistics->density.size(), 27U);
+  ASSERT_EQ(statistics->f.size(), 27U);
+  ASSERT_EQ(statistics->error.size(), 27U);
+  for (std::size_t k = 0; k < 27; ++k) {
+    const double count = k == 1 ? 2.0 : k == 6 || k == 26 ? 1.0 : 0.0;
+    EXPECT_NEAR(statistics->f[k], 0.125 + 0.1 * static_cast<double>(k) + 0.05, 1e-12);
     EXPECT_NEAR(statistics->density[k], count / 0.4, 1e-12) << k;
     EXPECT_NEAR(statistics->error[k], std::sqrt(count) / 0.4, 1e-12) << k;
   }
-  ASSERT_EQ(statistics->direction_deg.size(), 18U);
-  for (std::size_t k = 0; k < 18; ++k) {
-    const double count = k == 9 ? 2.0 : k == 0 || k == 3 ? 1.0 : 0.0;  // -85 and 95 degrees are the same axis
-    EXPECT_EQ(statistics->direction_deg[k], 10.0 * static_cast<double>(k) + 5.0);
-    EXPECT_NEAR(statistics->direction_all[k], count / 40.0, 1e-15) << k;
-    EXPECT_NEAR(statistics->direction_strong[k], k == 9 ? 0.1 : 0.0, 1e-15) << k;
+  ASSERT_EQ(statistics->direction_deg.size(), 36U);
+  for (std::size_t k = 0; k < 36; ++k) {
+    const double count = k == 19 ? 2.0 : k == 0 || k == 7 ? 1.0 : 0.0;  // -85 and 95 degrees are the same axis
+    EXPECT_EQ(statistics->direction_deg[k], 5.0 * static_cast<double>(k));
+    EXPECT_NEAR(statistics->direction_all[k], count / 20.0, 1e-15) << k;
+    EXPECT_NEAR(statistics->direction_strong[k], k == 19 ? 0.2 : 0.0, 1e-15) << k;
   }
   EXPECT_NEAR(statistics->sliding_fraction, 0.25, 1e-15);
   EXPECT_NEAR(statistics->strong_fraction, 0.25, 1e-15);
+}
+
+// The axes of lattices, off by rounding either way, stay in one bin each.
+TEST(ForceStatisticsExact, AxesOfLatticesAreNoEdges) {
+  for (int axis = 0; axis < 180; axis += 15) {
+    Contacts<2> contacts;
+    for (const double off : {-1e-9, 0.0, 1e-9}) contacts.list.push_back(contact(1.0, axis + off));
+    const auto statistics = measure_force_statistics(contacts, 0.0);
+    ASSERT_TRUE(statistics);
+    for (std::size_t k = 0; k < 36; ++k) {
+      EXPECT_NEAR(statistics->direction_all[k], statistics->direction_deg[k] == axis ? 0.2 : 0.0, 1e-15) << axis;
+    }
+  }
+}
+
+// Exponential forces above a threshold c fall as exp(-(f - c)) from there on: the first bin is as full as the others,
+// within four standard errors of its count of 9500, 4 %. A bin from 0 would hold half as many.
+TEST(ForceStatisticsExact, TheThresholdIsNoDownturn) {
+  const auto statistics = measure_force_statistics(exponential_forces(100000), 0.15);
+  ASSERT_TRUE(statistics);
+  const double mean = 3.15;  // of forces above 0.15, whose excess has the mean 3
+  const double width = 0.1 * mean / 3.0;
+  const double expected = (1.0 - std::exp(-width)) / 0.1;
+  EXPECT_NEAR(statistics->f[0], 0.15 / mean + 0.05, 1e-3);
+  EXPECT_NEAR(statistics->density[0], expected, 0.04 * expected);
 }
 
 // Rounding of sums of 1e5 terms stays far below 1e-12, because each is a whole number over a common denominator.
@@ -74,13 +100,13 @@ TEST(ForceStatisticsExact, IntegralIsOne) {
   const auto statistics = measure_force_statistics(exponential_forces(100000), 0.6);
   ASSERT_TRUE(statistics);
   EXPECT_NEAR(integral(statistics->density, statistics->bin_width), 1.0, 1e-12);
-  EXPECT_NEAR(integral(statistics->direction_all, 10.0), 1.0, 1e-12);
-  EXPECT_NEAR(integral(statistics->direction_strong, 10.0), 1.0, 1e-12);
+  EXPECT_NEAR(integral(statistics->direction_all, 5.0), 1.0, 1e-12);
+  EXPECT_NEAR(integral(statistics->direction_strong, 5.0), 1.0, 1e-12);
 }
 
 // Exponential forces: P(f) = exp(-f), averaged over a bin. The B bins with 100 expected counts or more have, with the
 // reported errors, a chi-squared of B within 4 sqrt(2 B), so errors that are too small or too large both fail. The mean
-// is within 4 standard errors, and so is the fraction above it (binomial error). The density of each of the eighteen
+// is within 4 standard errors, and so is the fraction above it (binomial error). The density of each of the 36
 // directions, which is uniform, is within 4.5 standard errors.
 TEST(ForceStatisticsExact, ExponentialForces) {
   constexpr std::size_t count = 100000;
@@ -102,7 +128,7 @@ TEST(ForceStatisticsExact, ExponentialForces) {
   const double strong = std::exp(-1.0);
   EXPECT_NEAR(statistics->strong_fraction, strong, 4.0 * std::sqrt(strong * (1.0 - strong) / n));
   for (const double density : statistics->direction_all) {
-    EXPECT_NEAR(density, 1.0 / 180.0, 4.5 * std::sqrt(17.0 / n) / 180.0);
+    EXPECT_NEAR(density, 1.0 / 180.0, 4.5 * std::sqrt(35.0 / n) / 180.0);
   }
 }
 

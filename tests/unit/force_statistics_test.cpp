@@ -56,9 +56,10 @@ TEST(ForceStatistics, HandMadeNetwork) {
   EXPECT_DOUBLE_EQ(statistics->mean, 4.0);
   EXPECT_DOUBLE_EQ(statistics->strong_fraction, 4.0 / 7.0);
   EXPECT_DOUBLE_EQ(statistics->sliding_fraction, 2.0 / 7.0);
-  // f: 0.25 twice, 1 once, 1.25 twice, 1.5 twice, in bins of 0.1.
+  // f: 0.25 twice, 1 once, 1.25 twice, 1.5 twice, in bins of 0.1 from the threshold of 0.5/4.
   EXPECT_DOUBLE_EQ(statistics->bin_width, 0.1);
-  const auto at = [&](double f) { return static_cast<std::size_t>(f / 0.1); };
+  EXPECT_DOUBLE_EQ(statistics->f[0], 0.175);
+  const auto at = [&](double f) { return static_cast<std::size_t>((f - 0.125) / 0.1); };
   EXPECT_NEAR(statistics->density[at(0.25)], 2.0 / 0.7, 1e-12);
   EXPECT_NEAR(statistics->density[at(1.25)], 2.0 / 0.7, 1e-12);
   EXPECT_NEAR(statistics->error[at(1.25)], std::sqrt(2.0) / 0.7, 1e-12);
@@ -67,10 +68,10 @@ TEST(ForceStatistics, HandMadeNetwork) {
   for (const double density : statistics->density) integral += density * statistics->bin_width;
   EXPECT_NEAR(integral, 1.0, 1e-12);
   // Two of seven contacts are horizontal, the others vertical; all strong ones are vertical.
-  EXPECT_NEAR(statistics->direction_all[0], 2.0 / 70.0, 1e-12);
-  EXPECT_NEAR(statistics->direction_all[9], 5.0 / 70.0, 1e-12);
-  EXPECT_NEAR(statistics->direction_strong[9], 0.1, 1e-12);
-  EXPECT_DOUBLE_EQ(statistics->direction_deg[9], 95.0);
+  EXPECT_NEAR(statistics->direction_all[0], 2.0 / 35.0, 1e-12);
+  EXPECT_NEAR(statistics->direction_all[18], 5.0 / 35.0, 1e-12);
+  EXPECT_NEAR(statistics->direction_strong[18], 0.2, 1e-12);
+  EXPECT_DOUBLE_EQ(statistics->direction_deg[18], 90.0);
 }
 
 // n exponential forces over their mean: P(f) = exp(-f) up to terms of order 1/n. In bins of 0.1 the mean of exp(-f)

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -19,10 +20,10 @@ constexpr double poisson = 0.3;
 constexpr double past_linear = 1.05;                     // of the response to the larger load
 const std::vector<double> amplitudes = {0.9, 1.0, 1.1};  // by seed: mean 1, standard deviation 0.1
 
-Scene bed(double place, double force) {
-  auto scene = scene_from_text(R"([contact]
-friction = 0.0
-[base]
+constexpr auto smooth_springs = "[contact]\nfriction = 0.0\n";
+
+Scene bed(double place, double force, const std::string& contact) {
+  auto scene = scene_from_text(contact + R"([base]
 kind = "row"
 half_width = 40
 [source]
@@ -61,13 +62,13 @@ struct Planted {
   SweepPlan plan;
   SweepTable table;
 
-  Planted() {
+  explicit Planted(const std::string& contact = smooth_springs) {
     plan.seeds = {1, 2, 3};
     const std::vector<std::pair<double, double>> loads = {{0.0, 0.0}, {0.0, 2.0}, {5.0, 2.0}, {0.0, 4.0}};
     for (const auto& [place, force] : loads) {
       SweepPoint point;
       point.name = "point-" + std::to_string(plan.points.size());
-      point.scene = bed(place, force);
+      point.scene = bed(place, force, contact);
       plan.points.push_back(point);
       for (std::size_t s = 0; s < plan.seeds.size(); ++s) {
         // Differences between the positions of a seed cancel in its mean.
@@ -153,6 +154,15 @@ TEST(PointResponse, JudgesTheCurves) {
   EXPECT_NEAR(one.fitted_poisson, poisson, 0.02);
   EXPECT_LT(one.curves[3].chi_square, one.curves[0].chi_square);
   EXPECT_LT(one.curves[0].chi_square, 0.1 * one.curves[1].chi_square);
+}
+
+// Rigid grains have a friction of their own, in the law of impulses: smooth ones are a network without tangential
+// stiffness, nu = (1 - 0)/4, others have k_t/k_n = 1/2.
+TEST(PointResponse, PoissonRatioOfRigidGrainsIsOfTheirFriction) {
+  const std::string rigid = "[method]\nkind = \"contact-dynamics\"\n[contact]\nfriction = ";
+  EXPECT_EQ(Planted(rigid + "0.0\n").responses()[0].poisson, 0.25);
+  EXPECT_EQ(Planted(rigid + "0.5\n").responses()[0].poisson, 0.125);
+  EXPECT_EQ(Planted("[contact]\nfriction = 0.5\n").responses()[0].poisson, 0.125);
 }
 
 TEST(PointResponse, NeedsSeedsInCommon) {

@@ -48,17 +48,18 @@ std::optional<ForceStatistics> measure_force_statistics(const Contacts<2>& conta
   constexpr double most_bins = 1000.0;
   const double range = largest / statistics.mean;
   statistics.bin_width = std::max(usual_width, range / (most_bins - 1.0));
-  const auto bins = static_cast<std::size_t>(range / statistics.bin_width) + 1;
-  constexpr std::size_t direction_bins = 18;
+  // No contact counts below the threshold: a bin that began at 0 would seem to hold too few.
+  const double start = std::max(0.0, threshold) / statistics.mean;
+  const auto bins = static_cast<std::size_t>((range - start) / statistics.bin_width) + 1;
+  constexpr std::size_t direction_bins = 36;
   constexpr double direction_width = 180.0 / direction_bins;
   std::vector<double> counts(bins, 0.0);
   std::vector<double> all(direction_bins, 0.0);
   std::vector<double> strong(direction_bins, 0.0);
   for (const auto* contact : counting) {
     const double f = contact->normal_force / statistics.mean;
-    counts[std::min(static_cast<std::size_t>(f / statistics.bin_width), bins - 1)] += 1.0;
-    const auto direction =
-        std::min(static_cast<std::size_t>(axis_deg(contact->normal) / direction_width), direction_bins - 1);
+    counts[std::min(static_cast<std::size_t>((f - start) / statistics.bin_width), bins - 1)] += 1.0;
+    const auto direction = static_cast<std::size_t>(axis_deg(contact->normal) / direction_width + 0.5) % direction_bins;
     all[direction] += 1.0;
     if (contact->normal_force * n > sum) {  // as in find_chains
       strong[direction] += 1.0;
@@ -70,13 +71,13 @@ std::optional<ForceStatistics> measure_force_statistics(const Contacts<2>& conta
   statistics.sliding_fraction /= n;
   statistics.density = densities(counts, statistics.bin_width);
   for (std::size_t k = 0; k < bins; ++k) {
-    statistics.f.push_back((static_cast<double>(k) + 0.5) * statistics.bin_width);
+    statistics.f.push_back(start + (static_cast<double>(k) + 0.5) * statistics.bin_width);
     statistics.error.push_back(std::sqrt(counts[k]) / (n * statistics.bin_width));
   }
   statistics.direction_all = densities(all, direction_width);
   statistics.direction_strong = densities(strong, direction_width);
   for (std::size_t k = 0; k < direction_bins; ++k) {
-    statistics.direction_deg.push_back((static_cast<double>(k) + 0.5) * direction_width);
+    statistics.direction_deg.push_back(static_cast<double>(k) * direction_width);
   }
   return statistics;
 }

@@ -13,11 +13,13 @@ namespace repose {
 struct ForceStatistics {
   double mean = 0.0;            ///< [M L/T^2] mean normal force of these contacts
   double bin_width = 0.0;       ///< of f, the normal force divided by its mean
-  std::vector<double> f;        ///< centres of the bins
+  std::vector<double> f;        ///< centres of the bins, which begin at the threshold
   std::vector<double> density;  ///< P(f); its integral over all bins is 1
   std::vector<double> error;    ///< of the density, from the square root of the count
 
-  std::vector<double> direction_deg;     ///< centres of bins of 10 degrees in [0, 180), from the horizontal
+  /// Centres of bins of 5 degrees in [0, 180), from the horizontal. Lattices have contacts at multiples of 15 degrees,
+  /// which are centres, not edges; the first bin is centred on the horizontal.
+  std::vector<double> direction_deg;
   std::vector<double> direction_all;     ///< [1/deg] probability density over all these contacts
   std::vector<double> direction_strong;  ///< [1/deg] over those above the mean force; zero if there are none
 

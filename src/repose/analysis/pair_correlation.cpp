@@ -16,12 +16,26 @@ namespace {
 
 constexpr double usual_reach = 8.0;  // [mean diameters]
 
+/// Discs in contact, and the rows of a lattice, are whole diameters apart but for rounding, overlap and the tolerance
+/// of a solver. An edge there would divide them between two bins by chance, so edges lie a little below.
+constexpr double below_contact = 2e-4;  // [mean diameters]
+constexpr double most_of_a_bin = 0.1;   // of narrow bins
+
 struct Bins {
   double width;
   std::size_t count;
+  double back;  // [L] of the edges from whole multiples of the width
+
+  Bins(double reach, double bin_width, double diameter)
+      : width(bin_width * diameter),
+        count(static_cast<std::size_t>(std::floor(reach / width + 1e-9))),
+        back(std::min(below_contact * diameter, most_of_a_bin * width)) {}
+
+  /// Lower edge of a bin; the first bin begins at 0.
+  double edge(std::size_t bin) const { return std::max(0.0, static_cast<double>(bin) * width - back); }
 
   void add(std::vector<std::size_t>& pairs, double distance) const {
-    const auto bin = static_cast<std::size_t>(distance / width);
+    const auto bin = static_cast<std::size_t>((distance + back) / width);
     if (bin < count) ++pairs[bin];
   }
 };
@@ -32,7 +46,7 @@ void finish(Correlation& correlation, const Bins& bins, const std::vector<double
     const auto pairs = static_cast<double>(correlation.pairs[k]);
     const bool possible = expected[k] > 0.0;
     const double none = std::numeric_limits<double>::quiet_NaN();
-    correlation.distance.push_back((static_cast<double>(k) + 0.5) * bins.width);
+    correlation.distance.push_back(0.5 * (bins.edge(k) + bins.edge(k + 1)));
     correlation.value.push_back(possible ? pairs / expected[k] : none);
     correlation.error.push_back(possible ? std::sqrt(std::max(pairs, 1.0)) / expected[k] : none);
   }
@@ -48,8 +62,7 @@ std::vector<double> ring_areas(const std::vector<Vec<2>>& points, const Slab& sl
     const double right = slab.box.periodic ? std::numeric_limits<double>::infinity() : slab.box.x_max - point[0];
     double inner = 0.0;
     for (std::size_t k = 0; k < bins.count; ++k) {
-      const double radius = static_cast<double>(k + 1) * bins.width;
-      const double within = disc_area_in({}, radius, {{{-left, -below}}, {{right, above}}});
+      const double within = disc_area_in({}, bins.edge(k + 1), {{{-left, -below}}, {{right, above}}});
       areas[k] += within - inner;
       inner = within;
     }
@@ -78,8 +91,7 @@ PairCorrelation pair_correlation(const Discs& discs, const Slab& slab, const Pai
   const double most = periodic ? 0.5 * width : std::hypot(width, slab.height());
   const double wanted = options.reach > 0.0 ? options.reach : std::min(usual_reach, slab.height() / diameter);
   const double reach = std::min(wanted * diameter, most);
-  const Bins bins{options.bin_width * diameter,
-                  static_cast<std::size_t>(std::floor(reach / (options.bin_width * diameter) + 1e-9))};
+  const Bins bins(reach, options.bin_width, diameter);
   const double strip = std::min(options.strip * diameter, most);
   for (auto* correlation : {&result.radial, &result.along_x, &result.along_y}) {
     correlation->pairs.assign(bins.count, 0);
@@ -109,8 +121,8 @@ PairCorrelation pair_correlation(const Discs& discs, const Slab& slab, const Pai
   std::vector<double> along_x;
   std::vector<double> along_y;
   for (std::size_t k = 0; k < bins.count; ++k) {
-    const double from = static_cast<double>(k) * bins.width;
-    const double to = static_cast<double>(k + 1) * bins.width;
+    const double from = bins.edge(k);
+    const double to = bins.edge(k + 1);
     along_x.push_back(scale * integral_x(from, to) * integral_y(0.0, strip));
     along_y.push_back(scale * integral_y(from, to) * integral_x(0.0, strip));
   }

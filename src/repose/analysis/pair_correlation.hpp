@@ -16,7 +16,8 @@ struct PairCorrelationOptions {
   double strip = 0.25;     ///< [mean diameters] half-width of the strips for the correlations along x and y
 };
 
-/// A correlation in bins of distance; 1 for independent positions.
+/// A correlation in bins of distance; 1 for independent positions. Bins begin a thousandth of the mean diameter (at
+/// most a tenth of a bin) below multiples of their width, so that discs in contact lie within one bin.
 struct Correlation {
   std::vector<double> distance;    ///< [L] centres of the bins
   std::vector<std::size_t> pairs;  ///< pairs of discs in each bin

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/cli/sweep_view.hpp"
 
+#include "repose/analysis/bootstrap.hpp"
+#include "repose/analysis/statistics.hpp"
 #include "repose/cli/progress.hpp"
 #include "repose/simulation/expectation.hpp"
 
@@ -30,16 +32,70 @@ constexpr Shown shown[] = {{"angle_of_repose_deg.mean", "angle [deg]", 2}, {"bas
                            {"core.solid_fraction", "core fraction", 4},    {"max_overlap", "overlap", 4}};
 constexpr int column_width = 17;
 
-std::string with_error(const Estimate& estimate, int decimals) {
-  if (std::isnan(estimate.mean)) return "-";
-  if (std::isnan(estimate.error)) return fmt::format("{:.{}f}", estimate.mean, decimals);
-  return fmt::format("{:.{}f} +- {:.{}f}", estimate.mean, decimals, estimate.error, decimals);
+std::string with_error(double mean, double error, int decimals) {
+  if (std::isnan(mean)) return "-";
+  if (std::isnan(error)) return fmt::format("{:.{}f}", mean, decimals);
+  return fmt::format("{:.{}f} +- {:.{}f}", mean, decimals, error, decimals);
 }
 
 std::size_t name_width(const SweepPlan& plan) {
   std::size_t width = 5;
   for (const auto& point : plan.points) width = std::max(width, point.name.size());
   return width;
+}
+
+/// Which shown numbers are from some of the members only.
+std::string missing_text(const SweepPlan& plan, const SweepTable& table) {
+  std::string text;
+  for (const auto& column : shown) {
+    const auto found = std::find(table.measures.begin(), table.measures.end(), column.measure);
+    if (found == table.measures.end()) continue;
+    for (std::size_t p = 0; p < plan.points.size(); ++p) {
+      const auto& entry = table.entries[p][static_cast<std::size_t>(found - table.measures.begin())];
+      if (entry.missing == 0 || entry.count == 0) continue;
+      text += fmt::format("{} at {}: {} of {} finished members have none\n", column.head, plan.points[p].name,
+                          entry.missing, entry.missing + entry.count);
+    }
+  }
+  return text;
+}
+
+std::string bounds_text(const Claim& claim) {
+  if (claim.kind == Claim::Kind::equivalence) return fmt::format("equal within {:g}", claim.below);
+  if (std::isfinite(claim.above) && std::isfinite(claim.below)) {
+    return fmt::format("{:g} to {:g}", claim.above, claim.below);
+  }
+  return std::isfinite(claim.above) ? fmt::format("above {:g}", claim.above) : fmt::format("below {:g}", claim.below);
+}
+
+/// A claim with its verdict: one line of what was found, one of how it was judged.
+std::string claim_text(const Claim& claim, const Verdict& verdict) {
+  const auto& found = verdict.inference;
+  auto text = fmt::format("{:10}  {}: ", verdict.word, claim.text);
+  if (!std::isnan(found.value)) text += fmt::format("{:.4g} +- {:.2g}, ", found.value, found.error);
+  text += fmt::format("claimed {}\n", bounds_text(claim));
+  if (std::isnan(found.error)) return text;
+  const bool fails = verdict.p_fails < verdict.p_holds;
+  text += fmt::format("{:10}  {:.4g} to {:.4g} by {}, n = {}", "", found.low, found.high, found.test, found.count);
+  if (verdict.missing > 0) text += fmt::format(", {} missing", verdict.missing);
+  if (!std::isnan(found.bias)) text += fmt::format("; bias {:+.2g}", found.bias);
+  if (!verdict.pair.first.empty()) text += fmt::format("; {} and {}", verdict.pair.first, verdict.pair.second);
+  text += fmt::format("; p {:.2g}, Holm {:.2g}: {}\n", fails ? verdict.p_fails : verdict.p_holds,
+                      fails ? verdict.p_fails_holm : verdict.p_holds_holm, verdict.holm_word);
+  return text;
+}
+
+/// What the numbers of a table mean, and the claims.
+std::string claims_text(const SweepPlan& plan, const SweepTable& table) {
+  std::string text = "mean +- standard error of the members; of a mean profile by the bootstrap\n";
+  text += missing_text(plan, table);
+  if (plan.claims.empty()) return text;
+  text += "\n";
+  for (std::size_t k = 0; k < plan.claims.size(); ++k) text += claim_text(plan.claims[k], table.verdicts[k]);
+  text += fmt::format(
+      "{:g} % intervals; one-sided p at {:g} %; Holm: adjusted for the number of claims; bootstraps of {} resamples\n",
+      100.0 * interval_probability, 100.0 * test_level, resamples);
+  return text;
 }
 
 }  // namespace
@@ -68,24 +124,15 @@ std::string describe_table(const SweepFolder& folder, const SweepTable& table) {
     for (const auto& column : shown) {
       const auto found = std::find(table.measures.begin(), table.measures.end(), column.measure);
       const auto m = static_cast<std::size_t>(found - table.measures.begin());
-      text += fmt::format(
-          "  {:>{}}", m < table.measures.size() ? with_error(table.entries[p][m], column.decimals) : "-", column_width);
+      const auto entry = m < table.measures.size() ? table.entries[p][m] : EnsembleEstimate{};
+      text += fmt::format("  {:>{}}", with_error(entry.mean, entry.error, column.decimals), column_width);
     }
     if (table.failed[p] > 0) text += fmt::format("  {} failed", table.failed[p]);
     text += "\n";
   }
-  text += "mean +- standard error of the members\n";
-  for (std::size_t k = 0; k < plan.claims.size(); ++k) {
-    const auto& claim = plan.claims[k];
-    const auto& verdict = table.verdicts[k];
-    const auto bound = std::isfinite(claim.above) && std::isfinite(claim.below)
-                           ? fmt::format("{:g} to {:g}", claim.above, claim.below)
-                       : std::isfinite(claim.above) ? fmt::format("above {:g}", claim.above)
-                                                    : fmt::format("below {:g}", claim.below);
-    text += fmt::format("{}{:9}  {}: {:.4g} +- {:.2g}, claimed {}\n", k == 0 ? "\n" : "", verdict.word, claim.text,
-                        verdict.value, verdict.error, bound);
-  }
-  text += fmt::format("\nwritten          {0}/table.csv, members.csv, sweep.h5\n", folder.path());
+  text += claims_text(plan, table);
+  text += fmt::format("\nwritten          {}/table.csv, members.csv, {}sweep.h5\n", folder.path(),
+                      plan.claims.empty() ? "" : "claims.csv, claims.json, ");
   return text;
 }
 
@@ -165,7 +212,8 @@ std::string SweepView::live_table() const {
     text += fmt::format("{:{}}  {:>9}  {:>7}", plan.points[p].name, width,
                         fmt::format("{}/{}", finished, plan.seeds.size()), running);
     for (const auto& column : {shown[0], shown[1], shown[3]}) {
-      text += fmt::format("  {:>{}}", with_error(mean_of(values[column.measure]), column.decimals), column_width);
+      const auto estimate = mean_of(values[column.measure]);
+      text += fmt::format("  {:>{}}", with_error(estimate.mean, estimate.error, column.decimals), column_width);
     }
     text += "\n";
   }

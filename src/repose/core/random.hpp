@@ -18,7 +18,8 @@ enum class Purpose : std::uint32_t {
   base_height = 6,
   lattice_place = 7,
   parking = 8,
-  force_fraction = 9
+  force_fraction = 9,
+  resample = 10
 };
 
 /// A random number uniform in [0, 1) with 53 bits: a pure function of (seed, purpose, index, draw), by Philox4x32-10

@@ -9,23 +9,58 @@
 
 namespace repose {
 
+namespace {
+
+/// Claims of sweeps of older programs; the statistic that they judged has no test.
+constexpr const char* no_spread =
+    "{}spread: is judged as an equivalence now: write \"equivalent\" instead, and \"margin\" instead of \"below\"";
+
+}  // namespace
+
+void SweepReader::read_bounds(const toml::table& table, const std::string& prefix, Claim& claim) {
+  const auto above = number(table, prefix, "above");
+  const auto below = number(table, prefix, "below");
+  const auto margin = number(table, prefix, "margin");
+  if (claim.kind == Claim::Kind::equivalence) {
+    if (above || below)
+      problem(table, fmt::format("{}margin: an equivalence has a margin, not above or below", prefix));
+    if (!margin)
+      return problem(table, fmt::format("{}margin: missing: the largest difference that is no matter", prefix));
+    if (*margin <= 0.0) problem(table, fmt::format("{}margin = {}: must be > 0", prefix, *margin));
+    claim.above = -*margin;
+    claim.below = *margin;
+    return;
+  }
+  if (margin) problem(table, fmt::format("{}margin: goes with equivalent only; give above and below", prefix));
+  claim.above = above.value_or(claim.above);
+  claim.below = below.value_or(claim.below);
+  if ((!above && !below) || claim.above >= claim.below) {
+    problem(table, fmt::format("{}above: give above, below or both, with above < below", prefix));
+  }
+}
+
 void SweepReader::read_claims(SweepPlan& plan) {
   const auto* list = list_of_tables("claim");
   if (list == nullptr) return;
   for (std::size_t k = 0; k < list->size(); ++k) {
     const auto& table = *list->get(k)->as_table();
     const auto prefix = fmt::format("claim[{}].", k);
-    check_keys(table, prefix, {"text", "source", "measure", "point", "difference", "spread", "above", "below"});
+    if (table.contains("spread")) {
+      problem(*table.get("spread"), fmt::format(no_spread, prefix));
+      continue;
+    }
+    check_keys(table, prefix,
+               {"text", "source", "measure", "point", "difference", "equivalent", "above", "below", "margin"});
     Claim claim;
     claim.text = text(table, prefix, "text", true);
     claim.source = text(table, prefix, "source", false);
     claim.measure = text(table, prefix, "measure", true);
     const auto point = text(table, prefix, "point", false);
     const auto difference = names(table, prefix, "difference");
-    const auto spread = names(table, prefix, "spread");
-    const int kinds = (point.empty() ? 0 : 1) + (difference.empty() ? 0 : 1) + (spread.empty() ? 0 : 1);
+    const auto equivalent = names(table, prefix, "equivalent");
+    const int kinds = (point.empty() ? 0 : 1) + (difference.empty() ? 0 : 1) + (equivalent.empty() ? 0 : 1);
     if (kinds != 1) {
-      problem(table, fmt::format("{}point: give one of point, difference and spread", prefix));
+      problem(table, fmt::format("{}point: give one of point, difference and equivalent", prefix));
       continue;
     }
     if (!point.empty()) {
@@ -35,16 +70,10 @@ void SweepReader::read_claims(SweepPlan& plan) {
       claim.points = difference;
       if (difference.size() != 2) problem(table, fmt::format("{}difference: must be a list of two names", prefix));
     } else {
-      claim.kind = Claim::Kind::spread;
-      claim.points = spread;
+      claim.kind = Claim::Kind::equivalence;
+      claim.points = equivalent;
     }
-    const auto above = number(table, prefix, "above");
-    const auto below = number(table, prefix, "below");
-    claim.above = above.value_or(claim.above);
-    claim.below = below.value_or(claim.below);
-    if ((!above && !below) || claim.above >= claim.below) {
-      problem(table, fmt::format("{}above: give above, below or both, with above < below", prefix));
-    }
+    read_bounds(table, prefix, claim);
     for (const auto& name : claim.points) {
       const auto same = [&](const SweepPoint& other) { return other.name == name; };
       if (std::any_of(plan.points.begin(), plan.points.end(), same)) continue;

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repose/sweep/table.hpp"
+#include "repose/sweep/ensemble_profile.hpp"
+
+#include "repose/analysis/bootstrap.hpp"
+#include "repose/analysis/statistics.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -22,28 +25,61 @@ double max_over_centre_of(const BaseProfile& profile) {
   return ratio.value_or(none);
 }
 
-/// Mean profile of some members, without one of them.
-BaseProfile mean_profile(const std::vector<const BaseProfile*>& members, std::size_t without) {
-  BaseProfile mean = *members.front();
-  std::fill(mean.normal.begin(), mean.normal.end(), 0.0);
-  std::fill(mean.shear.begin(), mean.shear.end(), 0.0);
-  double count = 0.0;
-  for (std::size_t m = 0; m < members.size(); ++m) {
-    if (m == without) continue;
-    count += 1.0;
-    for (std::size_t k = 0; k < mean.x.size(); ++k) {
-      mean.normal[k] += members[m]->normal[k];
-      mean.shear[k] += members[m]->shear[k];
+/// The mean profile of members with weights.
+class WeightedMean {
+ public:
+  explicit WeightedMean(const std::vector<const BaseProfile*>& members) : members_(members), mean_(*members.front()) {}
+
+  /// The weights of the members begin at `first`.
+  const BaseProfile& operator()(const std::vector<double>& weights, std::size_t first = 0) {
+    std::fill(mean_.normal.begin(), mean_.normal.end(), 0.0);
+    std::fill(mean_.shear.begin(), mean_.shear.end(), 0.0);
+    double sum = 0.0;
+    for (std::size_t m = 0; m < members_.size(); ++m) {
+      const double weight = weights[first + m];
+      if (weight == 0.0) continue;
+      sum += weight;
+      for (std::size_t k = 0; k < mean_.x.size(); ++k) {
+        mean_.normal[k] += weight * members_[m]->normal[k];
+        mean_.shear[k] += weight * members_[m]->shear[k];
+      }
     }
+    for (std::size_t k = 0; k < mean_.x.size(); ++k) {
+      mean_.normal[k] /= sum;
+      mean_.shear[k] /= sum;
+    }
+    return mean_;
   }
-  for (std::size_t k = 0; k < mean.x.size(); ++k) {
-    mean.normal[k] /= count;
-    mean.shear[k] /= count;
-  }
-  return mean;
-}
+
+ private:
+  const std::vector<const BaseProfile*>& members_;
+  BaseProfile mean_;
+};
+
+constexpr ProfileMeasure all_measures[profile_measure_count] = {{"profile.dip_index", dip_of},
+                                                                {"profile.max_over_centre", max_over_centre_of}};
 
 }  // namespace
+
+const ProfileMeasure (&profile_measures())[profile_measure_count] { return all_measures; }
+
+Inference inferred(const ProfileMeasure& measure, const std::vector<const BaseProfile*>& members) {
+  WeightedMean mean(members);
+  return bootstrap({{members.size()}, [&](const std::vector<double>& weights) { return measure.of(mean(weights)); }},
+                   "bootstrap");
+}
+
+Inference inferred_difference(const ProfileMeasure& measure, const std::vector<const BaseProfile*>& first,
+                              const std::vector<const BaseProfile*>& second, bool paired) {
+  WeightedMean first_mean(first);
+  WeightedMean second_mean(second);
+  const std::size_t second_place = paired ? 0 : first.size();
+  const auto difference = [&](const std::vector<double>& weights) {
+    return measure.of(first_mean(weights)) - measure.of(second_mean(weights, second_place));
+  };
+  if (paired) return bootstrap({{first.size()}, difference}, "paired bootstrap");
+  return bootstrap({{first.size(), second.size()}, difference}, "unpaired bootstrap");
+}
 
 std::optional<EnsembleProfile> ensemble_profile(const std::vector<const BaseProfile*>& members, double bin_width) {
   if (members.empty() || members.front()->x.empty()) return std::nullopt;
@@ -52,7 +88,7 @@ std::optional<EnsembleProfile> ensemble_profile(const std::vector<const BaseProf
   }
   EnsembleProfile profile;
   profile.members = members.size();
-  profile.mean = mean_profile(members, members.size());
+  profile.mean = WeightedMean(members)(std::vector<double>(members.size(), 1.0));
   const auto over_members = [&](const auto& value) {
     std::vector<double> values;
     for (std::size_t m = 0; m < members.size(); ++m) values.push_back(value(m));
@@ -69,11 +105,11 @@ std::optional<EnsembleProfile> ensemble_profile(const std::vector<const BaseProf
     profile.binned.normal_error[k] = over_members([&](std::size_t m) { return each[m].normal[k]; }).error;
     profile.binned.shear_error[k] = over_members([&](std::size_t m) { return each[m].shear[k]; }).error;
   }
-  const auto of_mean = [&](double (*statistic)(const BaseProfile&)) {
-    return jackknife(members.size(), [&](std::size_t without) { return statistic(mean_profile(members, without)); });
+  const auto of_mean = [&](const ProfileMeasure& measure) {
+    return estimate_of(inferred(measure, members), none, members.size());
   };
-  profile.dip_index = of_mean(dip_of);
-  profile.max_over_centre = of_mean(max_over_centre_of);
+  profile.dip_index = of_mean(all_measures[0]);
+  profile.max_over_centre = of_mean(all_measures[1]);
   const auto dip = base_dip(profile.mean);
   profile.centre = dip ? dip->centre : none;
   profile.half_width = dip ? dip->half_width : none;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/analysis/bootstrap.hpp"
 #include "repose/core/version.hpp"
 #include "repose/results/registry.hpp"
 #include "repose/sweep/groups.hpp"
@@ -50,7 +51,7 @@ std::string unit_of(const std::string& measure) {
 void write_measures(Hdf5File& file, const SweepTable& table) {
   file.group("measures");
   for (std::size_t m = 0; m < table.measures.size(); ++m) {
-    std::vector<Estimate> points;
+    std::vector<EnsembleEstimate> points;
     for (const auto& entries : table.entries) points.push_back(entries[m]);
     write_group(file, estimate_group("measures/" + table.measures[m], unit_of(table.measures[m])), points);
   }
@@ -59,7 +60,7 @@ void write_measures(Hdf5File& file, const SweepTable& table) {
 void write_members(Hdf5File& file, const SweepTable& table) {
   write_group(file, member_group(), table.members);
   file.group("values");
-  for (std::size_t m = 0; m + 2 < table.measures.size(); ++m) {  // the last two are of profiles
+  for (std::size_t m = 0; m < table.own_measures(); ++m) {
     std::vector<double> values;
     for (const auto& member : table.members) values.push_back(member.values[m]);
     file.dataset("values/" + table.measures[m], values, 1, unit_of(table.measures[m]), "by member");
@@ -75,6 +76,8 @@ void write_sweep_file(const std::string& path, const SweepPlan& plan, const Swee
   file.attribute("/", "repose_version", std::string(version));
   file.attribute("/", "title", plan.title);
   file.attribute("/", "units", plan.points.front().scene.units);
+  file.attribute("/", "interval", interval_probability);
+  file.attribute("/", "resamples", static_cast<std::int64_t>(resamples));
   write_points(file, plan, table);
   write_parameters(file, plan);
   write_measures(file, table);

@@ -27,7 +27,7 @@ namespace repose {
 
 namespace {
 
-constexpr const char* own_files[] = {"sweep.toml", "table.csv",    "members.csv",   "claims.csv",
+constexpr const char* own_files[] = {"sweep.toml", "table.csv",    "members.csv",   "claims.csv",  "claims.json",
                                      "sweep.h5",   "response.csv", "response.json", "summary.json"};
 constexpr const char* own_folders[] = {"scenes", "members", "pictures"};
 
@@ -166,7 +166,10 @@ void SweepFolder::write(const SweepTable& table) const {
   fs::remove(fs::path(path_) / "summary.json", error);
   write_text_file(path_ + "/table.csv", table_csv(plan_, table));
   write_text_file(path_ + "/members.csv", members_csv(plan_, table));
-  if (!plan_.claims.empty()) write_text_file(path_ + "/claims.csv", claims_csv(plan_, table));
+  if (!plan_.claims.empty()) {
+    write_text_file(path_ + "/claims.csv", claims_csv(plan_, table));
+    write_text_file(path_ + "/claims.json", claims_json(plan_, table));
+  }
   write_sweep_file(path_ + "/sweep.h5", plan_, table);
   const auto responses =
       point_responses(plan_, table, [&](std::size_t member) { return read_last_state(member_path(members_[member])); });

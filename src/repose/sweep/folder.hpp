@@ -44,7 +44,7 @@ class SweepFolder {
 
   /// Reads the summaries and base profiles of all members that have finished.
   SweepTable table() const;
-  /// Writes table.csv, members.csv, claims.csv and sweep.h5. Throws RunError.
+  /// Writes table.csv, members.csv, claims.csv, claims.json and sweep.h5. Throws RunError.
   void write(const SweepTable& table) const;
   /// Analyses every member again and writes the tables. Returns the number of members.
   std::size_t analyse() const;

@@ -29,15 +29,20 @@ const Group<std::vector<MemberRow>>& member_group() {
   return group;
 }
 
-Group<std::vector<Estimate>> estimate_group(const std::string& name, const std::string& unit) {
+Group<std::vector<EnsembleEstimate>> estimate_group(const std::string& name, const std::string& unit) {
   return {name,
           "P",
           {},
           {
-              column("mean", &Estimate::mean, unit, "over the finished members of each point"),
-              column("error", &Estimate::error, unit, "standard error of the mean"),
-              column("deviation", &Estimate::deviation, unit, "standard deviation between members"),
-              column("count", &Estimate::count, "", "members where it is defined"),
+              column("mean", &EnsembleEstimate::mean, unit, "over the finished members of each point"),
+              column("error", &EnsembleEstimate::error, unit, "standard error"),
+              column("deviation", &EnsembleEstimate::deviation, unit, "standard deviation between members"),
+              column("count", &EnsembleEstimate::count, "", "members where it is defined"),
+              column("missing", &EnsembleEstimate::missing, "", "finished members where it is not"),
+              column("low", &EnsembleEstimate::low, unit, "lower end of the 95 % interval of the mean"),
+              column("high", &EnsembleEstimate::high, unit, "upper end"),
+              column("bias", &EnsembleEstimate::bias, unit,
+                     "estimated by the bootstrap, not subtracted, of measures of the mean profile; otherwise NaN"),
           }};
 }
 
@@ -47,29 +52,42 @@ Group<EnsembleProfile> profile_group(const std::string& name) {
     return array<EnsembleProfile>(
         dataset, [=](const EnsembleProfile& profile) -> const auto& { return profile.mean.*member; }, unit, meaning);
   };
-  const auto number = [](const std::string& attribute_name, Estimate EnsembleProfile::*which, double Estimate::*member,
-                         const std::string& meaning) {
+  const auto number = [](const std::string& attribute_name, EnsembleEstimate EnsembleProfile::*which,
+                         double EnsembleEstimate::*member, const std::string& meaning) {
     return attribute<EnsembleProfile>(
         attribute_name, [=](const EnsembleProfile& profile) { return (profile.*which).*member; }, "", meaning);
   };
-  return {name,
-          "B",
-          {
-              attribute("members", &EnsembleProfile::members, "", "that the mean profile has"),
-              number("dip_index", &EnsembleProfile::dip_index, &Estimate::mean, "of the mean profile"),
-              number("dip_index_error", &EnsembleProfile::dip_index, &Estimate::error, "by the jackknife"),
-              number("max_over_centre", &EnsembleProfile::max_over_centre, &Estimate::mean, "of the mean profile"),
-              number("max_over_centre_error", &EnsembleProfile::max_over_centre, &Estimate::error, "by the jackknife"),
-              attribute("centre", &EnsembleProfile::centre, "L", "of the loaded interval of the mean profile"),
-              attribute("half_width", &EnsembleProfile::half_width, "L", "of the same interval"),
-          },
-          {
-              mean("x", &BaseProfile::x, "L", "centre"),
-              mean("normal", &BaseProfile::normal, "grain weights", "mean over members, positive downward"),
-              array("normal_error", &EnsembleProfile::normal_error, "grain weights", "standard error between members"),
-              mean("shear", &BaseProfile::shear, "grain weights", "mean over members, positive to the right"),
-              array("shear_error", &EnsembleProfile::shear_error, "grain weights", "standard error between members"),
-          }};
+  return {
+      name,
+      "B",
+      {
+          attribute("members", &EnsembleProfile::members, "", "that the mean profile has"),
+          number("dip_index", &EnsembleProfile::dip_index, &EnsembleEstimate::mean, "of the mean profile"),
+          number("dip_index_error", &EnsembleProfile::dip_index, &EnsembleEstimate::error,
+                 "standard error by the bootstrap over members"),
+          number("dip_index_low", &EnsembleProfile::dip_index, &EnsembleEstimate::low,
+                 "lower end of its 95 % interval"),
+          number("dip_index_high", &EnsembleProfile::dip_index, &EnsembleEstimate::high, "upper end"),
+          number("dip_index_bias", &EnsembleProfile::dip_index, &EnsembleEstimate::bias,
+                 "estimated by the bootstrap, not subtracted"),
+          number("max_over_centre", &EnsembleProfile::max_over_centre, &EnsembleEstimate::mean, "of the mean profile"),
+          number("max_over_centre_error", &EnsembleProfile::max_over_centre, &EnsembleEstimate::error,
+                 "standard error by the bootstrap over members"),
+          number("max_over_centre_low", &EnsembleProfile::max_over_centre, &EnsembleEstimate::low,
+                 "lower end of its 95 % interval"),
+          number("max_over_centre_high", &EnsembleProfile::max_over_centre, &EnsembleEstimate::high, "upper end"),
+          number("max_over_centre_bias", &EnsembleProfile::max_over_centre, &EnsembleEstimate::bias,
+                 "estimated by the bootstrap, not subtracted"),
+          attribute("centre", &EnsembleProfile::centre, "L", "of the loaded interval of the mean profile"),
+          attribute("half_width", &EnsembleProfile::half_width, "L", "of the same interval"),
+      },
+      {
+          mean("x", &BaseProfile::x, "L", "centre"),
+          mean("normal", &BaseProfile::normal, "grain weights", "mean over members, positive downward"),
+          array("normal_error", &EnsembleProfile::normal_error, "grain weights", "standard error between members"),
+          mean("shear", &BaseProfile::shear, "grain weights", "mean over members, positive to the right"),
+          array("shear_error", &EnsembleProfile::shear_error, "grain weights", "standard error between members"),
+      }};
 }
 
 Group<BinnedProfile> binned_group(const std::string& name) {
@@ -88,6 +106,7 @@ Group<BinnedProfile> binned_group(const std::string& name) {
 std::vector<ReferenceTable> sweep_reference() {
   const auto profile = profile_group("profiles");
   return {
+      claims_reference(),
       reference_of("points", "/points/", point_group().rows, point_group().columns),
       reference_of("measures", "/measures/NAME/", "P", estimate_group("", "that of the measure").columns),
       reference_of("members", "/members/", member_group().rows, member_group().columns),

@@ -22,9 +22,12 @@ struct PointRow {
 
 const Group<std::vector<PointRow>>& point_group();
 const Group<std::vector<MemberRow>>& member_group();
-Group<std::vector<Estimate>> estimate_group(const std::string& name, const std::string& unit);
+Group<std::vector<EnsembleEstimate>> estimate_group(const std::string& name, const std::string& unit);
 Group<EnsembleProfile> profile_group(const std::string& name);
 Group<BinnedProfile> binned_group(const std::string& name);
+
+/// The columns of claims.csv.
+ReferenceTable claims_reference();
 
 /// The tables of docs/reference/sweep.md.
 std::vector<ReferenceTable> sweep_reference();

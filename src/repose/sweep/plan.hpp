@@ -12,13 +12,13 @@
 namespace repose {
 
 /// A statement about the results of a sweep: a statistic lies between `above` and `below`. The rule that decides it is
-/// fixed beforehand: the sweep agrees if the statistic +- 2 standard errors lies within the bounds, disagrees if it
-/// lies wholly outside, and is undecided otherwise.
+/// fixed beforehand: the claim holds if the 95 % interval of the statistic lies within the bounds, fails if it lies
+/// wholly outside, and is undecided otherwise (see judge_claims).
 struct Claim {
   enum class Kind {
     value,       ///< the mean of one point
     difference,  ///< mean of the first point less that of the second
-    spread       ///< the largest magnitude of the difference between any two of the points
+    equivalence  ///< the difference between any two of the points, whose bounds are -margin and margin
   };
   std::string text;
   std::string source;   ///< the paper that states it

@@ -44,6 +44,7 @@ class SweepReader {
   void add_point(SweepPlan& plan, const std::string& name, const std::string& scene, const std::vector<Setting>& common,
                  const std::vector<Setting>& own);
   void read_claims(SweepPlan& plan);
+  void read_bounds(const toml::table& table, const std::string& prefix, Claim& claim);
 
   const toml::table& root_;
   std::string path_;

@@ -17,12 +17,14 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
+/// k_t/k_n of the contacts: 0 without friction; that of linear springs; otherwise, also for rigid grains, 0.5.
 double stiffness_ratio(const Scene& scene) {
   const auto& laws = scene.contact;
+  const bool rigid = scene.method->traits().impulse_laws;
+  if ((rigid ? laws.impulse.friction : laws.friction) == 0.0) return 0.0;
   const auto* linear = std::get_if<Linear>(&laws.tangential);
   const auto* hooke = std::get_if<Hooke>(&laws.normal);
-  if (laws.friction == 0.0) return 0.0;
-  return linear != nullptr && hooke != nullptr ? linear->stiffness / hooke->stiffness : 0.5;
+  return !rigid && linear != nullptr && hooke != nullptr ? linear->stiffness / hooke->stiffness : 0.5;
 }
 
 /// Mean of a stress [F/h] over each bin.

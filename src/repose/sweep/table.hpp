@@ -3,8 +3,10 @@
 #pragma once
 
 #include "repose/analysis/base_profile.hpp"
-#include "repose/analysis/statistics.hpp"
+#include "repose/sweep/ensemble_estimate.hpp"
+#include "repose/sweep/ensemble_profile.hpp"
 #include "repose/sweep/plan.hpp"
+#include "repose/sweep/verdict.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -22,51 +24,29 @@ struct MemberRow {
   BaseProfile base;            ///< empty unless finished
 };
 
-/// The base profile of an ensemble: means over the finished members, with standard errors from their scatter.
-struct EnsembleProfile {
-  std::size_t members = 0;
-  BaseProfile mean;  ///< per base grain
-  std::vector<double> normal_error, shear_error;
-  BinnedProfile binned;  ///< errors between members
-  Estimate dip_index;    ///< of the mean profile; error by the jackknife
-  Estimate max_over_centre;
-  double centre = 0.0, half_width = 0.0;  ///< [L] of the loaded interval of the mean profile; NaN without one
-};
-
-/// The verdict on a claim by the rule of `Claim`.
-struct Verdict {
-  std::string word;  ///< "agrees", "disagrees" or "undecided"; "no data" where a mean or its error is not defined
-  double value = 0.0;
-  double error = 0.0;  ///< standard error
-};
-
 /// The results of a sweep so far.
 struct SweepTable {
-  std::vector<std::string> measures;           ///< dotted names of summary.json, then profile.dip_index and the like
-  std::vector<MemberRow> members;              ///< in the order of the sweep
-  std::vector<std::vector<Estimate>> entries;  ///< by point and measure
-  std::vector<std::size_t> finished, failed;   ///< members by point
+  std::vector<std::string> measures;                   ///< dotted names of summary.json, then those of profile_measures
+  std::vector<MemberRow> members;                      ///< in the order of the sweep
+  std::vector<std::vector<EnsembleEstimate>> entries;  ///< by point and measure
+  std::vector<std::size_t> finished, failed;           ///< members by point
   std::vector<std::optional<EnsembleProfile>> profiles;  ///< by point; none where no base, or bases that differ
   std::vector<Verdict> verdicts;                         ///< by claim of the plan
+
+  /// The number of the measures that a member has by itself; those of mean profiles follow.
+  std::size_t own_measures() const { return measures.size() - profile_measure_count; }
 };
 
 /// The numbers of a summary that measure the grains (not the run, such as its wall time): dotted name and value, NaN
 /// for null. Throws InputError unless the text is a summary.
 std::vector<std::pair<std::string, double>> measures_of(const std::string& summary, const std::string& name);
 
-/// The ensemble profile of some members; none where they have no base, or bases that differ.
-std::optional<EnsembleProfile> ensemble_profile(const std::vector<const BaseProfile*>& members, double bin_width);
-
-/// What the finished entries of a table decide about a claim, by the rule of `Claim`.
-Verdict verdict_of(const Claim& claim, const SweepPlan& plan, const SweepTable& table);
-
 /// Means and errors by point, ensemble profiles and verdicts from the members (whose values are by `measures`).
 SweepTable make_table(const SweepPlan& plan, std::vector<std::string> measures, std::vector<MemberRow> members);
 
-/// The tables as CSV: one row per point; one row per member; one row per claim.
+/// The tables as CSV: one row per point; one row per member.
 std::string table_csv(const SweepPlan& plan, const SweepTable& table);
 std::string members_csv(const SweepPlan& plan, const SweepTable& table);
-std::string claims_csv(const SweepPlan& plan, const SweepTable& table);
 
 /// Writes sweep.h5; see docs/reference/sweep.md. Throws RunError.
 void write_sweep_file(const std::string& path, const SweepPlan& plan, const SweepTable& table);

@@ -69,13 +69,14 @@ def _histogram(panel, forces):
         [LEFT / width, BOTTOM / height, 1.0 - (LEFT + RIGHT) / width, (HISTOGRAM - 0.1) / height]
     )
     direction = forces["direction_deg"]
-    bins = np.linspace(0.0, 180.0, len(direction) + 1)
+    width = 180.0 / len(direction)
+    edges = direction[0] + width * (np.arange(len(direction) + 2) - 0.5)  # once more beyond 180, where the first bin ends
     axes.axhline(1.0 / 180.0, color=style.GREY, linewidth=0.7, linestyle=":", label="isotropic")
     for name, colour, label in (
         ("direction_all", style.GREY, "all contacts"),
         ("direction_strong", style.ORANGE, "above the mean force"),
     ):
-        axes.stairs(forces[name], bins, color=colour, linewidth=1.2, label=label)
+        axes.stairs([*forces[name], forces[name][0]], edges, color=colour, linewidth=1.2, label=label)
     axes.set_xlim(0.0, 180.0)
     top = np.nanmax([*forces["direction_all"], *forces["direction_strong"], 1.0 / 180.0])
     axes.set_ylim(0.0, 1.35 * top)

@@ -49,7 +49,7 @@ def draw(sweep):
     height = figure.get_size_inches()[1]
     top = TOP + add_legend(figure, columns[0], axis, TOP)
     style.fit(figure, (0.0, 0.0, 1.0, 1.0 - top / height), w_pad=1.2)
-    style.caption(figure, "± standard error between members; above 1 the force is smaller in the middle than beside it")
+    style.caption(figure, "± standard error over the members; above 1 the force is smaller in the middle than beside it")
     return [figure]
 
 

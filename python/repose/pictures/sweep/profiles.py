@@ -73,6 +73,9 @@ def _members_and_dip(values):
     if np.isfinite(values["dip_index"]):
         error = values["dip_index_error"]
         lines.append(f"dip index {values['dip_index']:.2f}" + (f" ± {error:.2f}" if np.isfinite(error) else ""))
+        low, high = (values.get(f"dip_index_{end}", np.nan) for end in ("low", "high"))  # older sweeps have none
+        if np.isfinite(low) and np.isfinite(high):
+            lines.append(f"95 %: {low:.2f} to {high:.2f}")
     return "\n".join(lines)
 
 

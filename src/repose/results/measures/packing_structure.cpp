@@ -137,7 +137,8 @@ void add_correlations(Registry& to) {
                                const std::string& meaning) {
     add<Correlation>(to, name, "bins", {},
                      {
-                         array("distance", &Correlation::distance, "L", "centre of the bin"),
+                         array("distance", &Correlation::distance, "L",
+                               "centre of the bin; bins begin 2e-4 diameters below multiples of their width"),
                          array("pairs", &Correlation::pairs, "", "of grains"),
                          array("value", &Correlation::value, "", meaning),
                          array("error", &Correlation::error, "", "from the square root of the pairs"),
