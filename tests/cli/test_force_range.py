@@ -181,10 +181,11 @@ def test_an_analysis_without_the_option_has_no_range(lab, rigid):
     assert (lab.path / "out/run.h5").read_bytes() == (rigid[0] / "run.h5").read_bytes()
 
 
-def test_a_load_is_part_of_the_balance(lab):
+@pytest.mark.parametrize("warm_start", ("always", "settled", "never"))
+def test_a_load_is_part_of_the_balance(lab, warm_start):
     """A disc on two base discs under a load of three of its weights: both bear two weights, whatever friction does."""
     folder = lab.run(
-        "[method]\nkind = 'contact-dynamics'\n[base]\nkind = 'row'\nhalf_width = 3\n"
+        f"[method]\nkind = 'contact-dynamics'\nwarm_start = '{warm_start}'\n[base]\nkind = 'row'\nhalf_width = 3\n"
         "[[grain]]\nposition = [0.5, 0.8660254037844386]\n"
         "[[load]]\nposition = [0.5, 1]\nforce = [0, -3]\nstart = 1\n[stop]\ntime = 3\n"
     )
@@ -194,6 +195,19 @@ def test_a_load_is_part_of_the_balance(lab):
     # Both base discs bear N cos 30 + T sin 30 = 2 in every state: see the wedge of tests/unit/force_range_test.cpp.
     for state in ("min", "max", "warm", "cold"):
         assert found["largest"][state] == pytest.approx(2.0, abs=1e-4), state
+
+
+def test_rolling_friction_adds_unknowns(lab):
+    """Torques are not recorded: the balance of a heap that leans on them is found again to the tolerance of the run."""
+    rolling = ["--set", "source.count=30", "--set", "contact.rolling_friction=0.3"]
+    result = lab("run", SCENE, *SMALL, *rolling, "--out", "out", "--quiet", timeout=120)
+    assert result.returncode == 0, result.stderr
+    assert lab("analyse", "out", "--force-range", "--quiet", timeout=60).returncode == 0
+    found = summary(lab.path / "out")["force_range"]
+    assert found["problem"] == "" and found["unknowns"] == 3 * found["contacts"]
+    assert found["unbalanced"] < 5e-3, "the run stops at a net force of 1e-3"
+    for name in ("central_force", "largest"):
+        assert found[name]["min"] - 1e-6 <= found[name]["warm"] <= found[name]["max"] + 1e-6
 
 
 def test_moving_grains_have_no_range_and_the_reason_is_given(lab):

@@ -190,6 +190,14 @@ std::vector<double> Equilibrium::costs_of(const ForceSum& sum) const {
   return costs;
 }
 
+bool Equilibrium::never_negative(const ForceSum& sum) const {
+  const auto costs = costs_of(sum);
+  for (std::size_t k = 0; k < costs.size(); ++k) {
+    if (costs[k] < 0.0 || (edges_[k].both_ways && costs[k] != 0.0)) return false;
+  }
+  return true;
+}
+
 ContactForces Equilibrium::forces_of(const std::vector<double>& factors) const {
   ContactForces forces(input_.problem.contacts.size());
   for (std::size_t k = 0; k < edges_.size(); ++k) forces[edges_[k].contact] += edges_[k].direction * factors[k];

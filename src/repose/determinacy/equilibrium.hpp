@@ -64,6 +64,9 @@ class Equilibrium {
   Extreme least(const ForceSum& sum) { return extreme(sum, false); }
   Extreme most(const ForceSum& sum) { return extreme(sum, true); }
 
+  /// Whether no force that its law allows makes the sum negative, in equilibrium or not.
+  bool never_negative(const ForceSum& sum) const;
+
   /// The least value that the largest of these sums can have.
   Extreme least_of_largest(const std::vector<ForceSum>& sums) const;
 

@@ -13,7 +13,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
+#include <utility>
 
 namespace repose {
 
@@ -139,6 +141,7 @@ class Ranges {
     }
   }
 
+  /// Needs the range of the bins.
   void of_largest() {
     std::vector<ForceSum> loaded;
     for (std::size_t k = 0; k < base_.x.size(); ++k) {
@@ -153,26 +156,57 @@ class Ranges {
     range_.largest.cold = largest(cold_);
     range_.largest.warm = largest(equilibrium_.recorded());
     range_.largest.least = number(equilibrium_.least_of_largest(loaded));
-    range_.largest.most = 0.0;
-    for (const auto& sum : loaded) {
-      const double most = number(equilibrium_.most(sum));
-      if (!(most <= range_.largest.most)) range_.largest.most = most;
-      if (std::isnan(most)) return;
-    }
+    range_.largest.most = most_of_any();
   }
 
   void of_bins(const BinnedProfile& bins) {
     range_.base.bin_width = bins.bin_width;
     range_.base.x = bins.x;
+    std::vector<ForceSum> means;
     for (const double centre : bins.x) {
-      const auto mean =
-          base_.mean_normal([&](double x) { return base_bin(x, bins.bin_width) == base_bin(centre, bins.bin_width); });
-      range_.base.least.push_back(number(equilibrium_.least(mean)));
-      range_.base.most.push_back(number(equilibrium_.most(mean)));
+      means.push_back(
+          base_.mean_normal([&](double x) { return base_bin(x, bins.bin_width) == base_bin(centre, bins.bin_width); }));
     }
+    // States that are extreme in neighbouring bins are alike, so that each search is short.
+    for (const auto& mean : means) range_.base.least.push_back(number(equilibrium_.least(mean)));
+    for (const auto& mean : means) range_.base.most.push_back(number(equilibrium_.most(mean)));
   }
 
  private:
+  /// The largest force that any base grain can bear: a programme for each that may bear more than those before. No
+  /// grain bears more than all of its bin, unless others in it pull.
+  double most_of_any() {
+    std::vector<std::pair<double, std::size_t>> candidates;
+    for (std::size_t k = 0; k < base_.x.size(); ++k) {
+      if (base_.loaded(k)) candidates.emplace_back(bound_by_bin(k), k);
+    }
+    std::sort(candidates.begin(), candidates.end(), std::greater<>());
+    double largest = 0.0;
+    for (const auto& [bound, k] : candidates) {
+      if (bound <= largest) break;
+      const double most = number(equilibrium_.most(base_.normal[k]));
+      if (std::isnan(most)) return most;
+      largest = std::max(largest, most);
+    }
+    return largest;
+  }
+
+  double bound_by_bin(std::size_t k) const {
+    const auto bin = [&](double x) { return base_bin(x, range_.base.bin_width); };
+    double members = 0.0;
+    for (std::size_t m = 0; m < base_.x.size(); ++m) {
+      if (bin(base_.x[m]) != bin(base_.x[k])) continue;
+      if (!equilibrium_.never_negative(base_.normal[m])) return LinearProgramme::infinity;
+      members += 1.0;
+    }
+    for (std::size_t b = 0; b < range_.base.x.size(); ++b) {
+      if (bin(range_.base.x[b]) == bin(base_.x[k]) && !std::isnan(range_.base.most[b])) {
+        return range_.base.most[b] * members;
+      }
+    }
+    return LinearProgramme::infinity;
+  }
+
   const BaseSums& base_;
   Equilibrium& equilibrium_;
   const ContactForces& cold_;
@@ -222,8 +256,8 @@ ForceRange force_range(const Record& record, const Results& results) {
   const auto cold = cold_forces(record, posed, range);
   Ranges ranges(base, equilibrium, cold, range);
   if (const auto dip = dip_of(results, base.profile(equilibrium.recorded()))) ranges.of_dip(*dip);
-  ranges.of_largest();
   ranges.of_bins(binned(base.profile(equilibrium.recorded()), scene.analysis.base_bin));
+  ranges.of_largest();
   return range;
 }
 

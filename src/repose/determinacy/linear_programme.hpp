@@ -50,7 +50,6 @@ class LinearProgramme {
  private:
   struct Model;
   std::unique_ptr<Model> model_;
-  bool begun_ = false;
 };
 
 }  // namespace repose
