@@ -51,20 +51,21 @@ int act(const AnalyseOptions& options) {
 
 Verb analyse_verb() {
   auto options = std::make_shared<AnalyseOptions>();
-  return {.name = "analyse",
-          .about = "Repeat the analysis of a run, or of a sweep and all its members",
-          .details =
-              "Writes analysis.h5 and summary.json, or the tables of the sweep; the run itself stays as it is. "
-              "The settings are those of [analysis] in DIR/scene.toml, which may be edited.",
-          .arguments = {folder_argument(options->folder, "Run folder or sweep folder"),
-                        {.name = "--force-range",
-                         .about = "Also find which base forces equilibrium allows at the places of rigid grains",
-                         .target = &options->force_range},
-                        quiet_argument(options->quiet)},
-          .examples = {{"repose analyse heap", "Analyse the run in the folder heap again"},
-                       {"repose analyse rigid --force-range",
-                        "Find how far statics decides the base forces of a rigid heap"}},
-          .act = [options] { return act(*options); }};
+  return {
+      .name = "analyse",
+      .about = "Repeat the analysis of a run, or of a sweep and all its members",
+      .details =
+          "Writes analysis.h5 and summary.json, or the tables of the sweep; the run itself stays as it is. "
+          "The settings are those of [analysis] in DIR/scene.toml, which may be edited.",
+      .arguments = {folder_argument(options->folder, "Run folder or sweep folder"),
+                    {.name = "--force-range",
+                     .about = "Also find which base forces equilibrium allows at the places of rigid grains",
+                     .target = &options->force_range},
+                    quiet_argument(options->quiet)},
+      .examples = {{"repose analyse heap", "Analyse the run in the folder heap again"},
+                   {"repose run examples/heap-cd.toml --out rigid-heap", "Pour a heap of rigid grains"},
+                   {"repose analyse rigid-heap --force-range", "Find how far statics decides the forces on its base"}},
+      .act = [options] { return act(*options); }};
 }
 
 }  // namespace repose
