@@ -13,10 +13,10 @@ namespace repose {
 namespace {
 
 void stop_keys(StopKeys& stop, Parameters& keys) {
-  keys.optional_number(
-      "stop.at_rest", stop.at_rest, {"", "none"}, positive, "",
-      "ends the run after the last grain, once kinetic energy (in m g d) and net force (in m g) of every grain have been "
-      "below this for output.window");
+  keys.optional_number("stop.at_rest", stop.at_rest, {"", "none"}, positive, "",
+                       "ends the run after the last grain, once kinetic energy (in m g d) and net force (in m g) of "
+                       "every grain have been "
+                       "below this for output.window");
   keys.optional_number("stop.time", stop.time, {"", "none"}, positive, "T", "ends the run at this time");
 }
 

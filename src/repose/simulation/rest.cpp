@@ -46,8 +46,8 @@ Unrest largest_unrest(const Grains<2>& grains, const Contacts<2>& contacts, cons
   for (std::size_t k = 0; k < grains.size(); ++k) {
     const auto& grain = grains.line[k];
     if (grain.fixed()) continue;
-    const double energy =
-        0.5 * (squared(grain.velocity) + squared(grain.rim_velocity) / inverse_inertia_factor<2>) / (gravity * diameter);
+    const double energy = 0.5 * (squared(grain.velocity) + squared(grain.rim_velocity) / inverse_inertia_factor<2>) /
+                          (gravity * diameter);
     const double force = magnitude(net[k]) / (grain.mass * gravity);
     // A number that is not one is no rest.
     if (!(energy <= largest.kinetic_energy)) largest.kinetic_energy = energy;

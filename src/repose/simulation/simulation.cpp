@@ -127,7 +127,8 @@ void Simulation::take_batch(double end) {
 /// The next time at which anything is due, at most `end`, and at most a batch away.
 double Simulation::next_due(double end) const {
   const double now = time();
-  double next = std::min({end, end_, row_times_.after(now), source_->due(), loads_.due(), track_.due_after(now), rest_.due_after(now)});
+  double next = std::min(
+      {end, end_, row_times_.after(now), source_->due(), loads_.due(), track_.due_after(now), rest_.due_after(now)});
   if (steps_.equal()) {
     const double batch = longest_batch / (least_cost + method_->grains_per_step(grains_.size()));
     next = std::min(next, steps_.later(now, steps_.after(std::max(1L, static_cast<long>(batch)))));
@@ -140,8 +141,7 @@ double Simulation::next_due(double end) const {
 bool Simulation::rests(double before) {
   if (rest_.due_after(before) > time() || !source_->done() || loads_.due() < infinity) return false;
   drop_lost_grains();
-  const auto unrest =
-      largest_unrest(grains_, contacts(), loads_.acting(), scene_.gravity, scene_.grains.diameter);
+  const auto unrest = largest_unrest(grains_, contacts(), loads_.acting(), scene_.gravity, scene_.grains.diameter);
   const bool lasts = rest_.lasts(unrest, time());
   // Base forces are averaged over the rest alone.
   if (rest_.has_just_begun(time())) base_forces_.record(grains_, time());

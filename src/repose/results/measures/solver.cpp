@@ -27,8 +27,7 @@ void add_solver(Registry& to) {
   add(measure("solver.impacts_reduced", "",
               "impacts whose restitution gave way, so that the kinetic energy does not rise",
               account(&SolverAccount::reduced)));
-  add(measure("solver.restitution_kept", "",
-              "mean over impacts of the fraction of the asked restitution that was kept",
+  add(measure("solver.restitution_kept", "", "mean over impacts of the fraction of the asked restitution that was kept",
               [](const Measured& run) -> std::optional<double> {
                 const auto all = solver_account(run.record);
                 if (all.impacts == 0) return std::nullopt;
