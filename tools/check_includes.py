@@ -29,7 +29,8 @@ BELOW["record"] = KERNELS | {"methods", "analysis", "scene"}
 # A simulation and what the analysis makes of its record never see each other.
 BELOW["simulation"] = BELOW["results"] = BELOW["record"] | {"record"}
 BELOW["contact_problem"] = BELOW["record"] | {"record", "simulation", "results"}
-BELOW["run_folder"] = BELOW["contact_problem"] | {"contact_problem"}
+BELOW["determinacy"] = BELOW["contact_problem"] | {"contact_problem"}
+BELOW["run_folder"] = BELOW["determinacy"] | {"determinacy"}
 BELOW["sweep"] = BELOW["run_folder"] | {"run_folder"}
 BELOW["comparison"] = BELOW["sweep"] | {"sweep"}
 BELOW["api"] = BELOW["comparison"] | {"comparison"}

@@ -10,6 +10,7 @@ FORMAT_VERSION = 1
 GROUPS = {
     "surface": "x height used",
     "base": "x count normal normal_error shear shear_error",
+    "force_range": "x min max",
     "voronoi": "id area solid_fraction closed offset vertices",
     "forces": "f density error direction_deg direction_all direction_strong",
     "chains": "contacts grains direction_deg extent chain",

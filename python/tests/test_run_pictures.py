@@ -10,7 +10,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection, PathCollection, PolyCollection, QuadMesh
 from matplotlib.colors import to_hex
 from synthetic import base_row, pyramid, write_run
-from synthetic_analysis import BIN
+from synthetic_analysis import BIN, write_group
 
 import repose
 from repose import style
@@ -61,6 +61,22 @@ def test_base_shows_the_bins_in_their_band(folder):
     assert legend_of(figure) == ["base grain", "mean over 3 σ ± standard error"]
     assert "dip index 1.04" in figure.texts[0].get_text()
     assert upper.get_ylabel() == "normal force\n(grain weights)"
+
+
+def test_base_shows_what_equilibrium_allows(folder):
+    with h5py.File(folder / "analysis.h5", "r+") as file:
+        x = file["base/x"][()]
+        least, most = 0.5 * file["base/normal"][()], 2.0 * file["base/normal"][()] + 1.0
+        most[1] = np.nan  # no bound
+        write_group(file.create_group("force_range"), {"x": x, "min": least, "max": most}, bin_width=3.0)
+    _, figure = drawn(folder, "base")
+    upper, lower = figure.axes
+    assert legend_of(figure) == ["base grain", "mean over 3 σ ± standard error", "equilibrium allows"]
+    band = of_kind(upper, PolyCollection)[1].get_paths()[0].vertices
+    assert len(of_kind(lower, PolyCollection)) == 1
+    for place, height in zip([*x, *x], [*least, *np.where(np.isnan(most), 1e6, most)]):
+        assert np.isclose(band, [place, height]).all(axis=1).any()
+    assert np.nanmax(most) < upper.get_ylim()[1] < 2.0 * np.nanmax(most)
 
 
 def test_base_without_analysis_has_a_running_mean(folder):

@@ -30,17 +30,23 @@ std::vector<double> running_mean(const std::vector<double>& values, std::size_t 
   return means;
 }
 
+DipZone dip_zone(double x, double centre, double half_width) {
+  const double place = std::fabs(x - centre) / half_width;
+  if (place <= 0.15) return DipZone::inner;
+  return place <= 0.45 ? DipZone::outer : DipZone::beyond;
+}
+
 std::optional<double> dip_index(const BaseProfile& profile, double centre, double half_width) {
   double inner = 0.0;
   double outer = 0.0;
   double inner_count = 0.0;
   double outer_count = 0.0;
   for (std::size_t k = 0; k < profile.x.size(); ++k) {
-    const double place = std::fabs(profile.x[k] - centre) / half_width;
-    if (place <= 0.15) {
+    const auto zone = dip_zone(profile.x[k], centre, half_width);
+    if (zone == DipZone::inner) {
       inner += profile.normal[k];
       inner_count += 1.0;
-    } else if (place <= 0.45) {
+    } else if (zone == DipZone::outer) {
       outer += profile.normal[k];
       outer_count += 1.0;
     }
@@ -102,10 +108,12 @@ std::optional<double> base_scatter(const BaseProfile& profile, double centre, do
   return std::sqrt(squares / count) / (sum / count);
 }
 
+long base_bin(double x, double bin_width) { return static_cast<long>(std::floor(x / bin_width + 0.5)); }
+
 BinnedProfile binned(const BaseProfile& profile, double bin_width) {
   std::map<long, std::vector<std::size_t>> bins;
   for (std::size_t k = 0; k < profile.x.size(); ++k) {
-    bins[static_cast<long>(std::floor(profile.x[k] / bin_width + 0.5))].push_back(k);
+    bins[base_bin(profile.x[k], bin_width)].push_back(k);
   }
   BinnedProfile result;
   result.bin_width = bin_width;

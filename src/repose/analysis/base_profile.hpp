@@ -25,6 +25,10 @@ struct BaseDip {
   double half_width = 0.0;  ///< [L] half the distance between them
 };
 
+/// The part of the base that a place belongs to: within 0.15 half-widths of the centre, or beyond that within 0.45.
+enum class DipZone { inner, outer, beyond };
+DipZone dip_zone(double x, double centre, double half_width);
+
 /// The dip index: mean normal force at 0.15 to 0.45 half-widths from the centre, divided by the mean within 0.15. It is
 /// 1 for a plateau, above 1 for a dip, (1 - 0.30)/(1 - 0.075) = 0.757 for a full triangle. None without a base grain or
 /// load in one of the two ranges.
@@ -53,6 +57,8 @@ struct BinnedProfile {
   std::vector<double> normal, shear;              ///< [grain weights] means
   std::vector<double> normal_error, shear_error;  ///< [grain weights] standard errors of the means; NaN for one grain
 };
+/// The number of the bin that a place is in.
+long base_bin(double x, double bin_width);
 BinnedProfile binned(const BaseProfile& profile, double bin_width);
 
 /// Running mean over `count` (odd) neighbouring values, and over fewer at the ends.

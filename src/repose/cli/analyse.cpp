@@ -4,6 +4,7 @@
 #include "repose/cli/describe.hpp"
 #include "repose/cli/verbs.hpp"
 #include "repose/core/errors.hpp"
+#include "repose/determinacy/force_range.hpp"
 #include "repose/io/folders.hpp"
 #include "repose/record/record_file.hpp"
 #include "repose/run_folder/run_folder.hpp"
@@ -22,13 +23,14 @@ namespace {
 
 struct AnalyseOptions {
   std::string folder;
+  bool force_range = false;
   bool quiet = false;
 };
 
 int act(const AnalyseOptions& options) {
   if (SweepFolder::is_one(options.folder)) {
     SweepFolder sweep(options.folder);
-    const auto members = sweep.analyse();
+    const auto members = sweep.analyse(options.force_range);
     if (!options.quiet) fmt::print("analysed         {} members; wrote the tables of {}\n", members, options.folder);
     return 0;
   }
@@ -38,7 +40,8 @@ int act(const AnalyseOptions& options) {
     fmt::print(stderr, "{}/scene.toml: has changed since the run; the analysis uses its [analysis] as it stands now\n",
                options.folder);
   }
-  const auto results = analyse(record);
+  auto results = analyse(record);
+  if (options.force_range) results.force_range = force_range(record, results);
   write_results(options.folder, record, results);
   if (!options.quiet) fmt::print("{}", describe_result(record, results));
   return 0;
@@ -48,14 +51,21 @@ int act(const AnalyseOptions& options) {
 
 Verb analyse_verb() {
   auto options = std::make_shared<AnalyseOptions>();
-  return {.name = "analyse",
-          .about = "Repeat the analysis of a run, or of a sweep and all its members",
-          .details =
-              "Writes analysis.h5 and summary.json, or the tables of the sweep; the run itself stays as it is. "
-              "The settings are those of [analysis] in DIR/scene.toml, which may be edited.",
-          .arguments = {folder_argument(options->folder, "Run folder or sweep folder"), quiet_argument(options->quiet)},
-          .examples = {{"repose analyse heap", "Analyse the run in the folder heap again"}},
-          .act = [options] { return act(*options); }};
+  return {
+      .name = "analyse",
+      .about = "Repeat the analysis of a run, or of a sweep and all its members",
+      .details =
+          "Writes analysis.h5 and summary.json, or the tables of the sweep; the run itself stays as it is. "
+          "The settings are those of [analysis] in DIR/scene.toml, which may be edited.",
+      .arguments = {folder_argument(options->folder, "Run folder or sweep folder"),
+                    {.name = "--force-range",
+                     .about = "Also find which base forces equilibrium allows at the places of rigid grains",
+                     .target = &options->force_range},
+                    quiet_argument(options->quiet)},
+      .examples = {{"repose analyse heap", "Analyse the run in the folder heap again"},
+                   {"repose run examples/heap-cd.toml --out rigid-heap", "Pour a heap of rigid grains"},
+                   {"repose analyse rigid-heap --force-range", "Find how far statics decides the forces on its base"}},
+      .act = [options] { return act(*options); }};
 }
 
 }  // namespace repose

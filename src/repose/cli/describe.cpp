@@ -76,6 +76,27 @@ std::string describe_packing(const Packing& packing) {
   return text;
 }
 
+std::string describe_force_range(const ForceRange& range) {
+  if (!range.problem.empty()) return fmt::format("force range      none: {}\n", range.problem);
+  std::string text = fmt::format("force range      {} unknowns, {} equations: {} forces are left open\n",
+                                 range.unknowns, range.equations, range.degree());
+  const auto bound = [](double value) {
+    return std::isnan(value) ? std::string("no bound") : fmt::format("{:.3f}", value);
+  };
+  const auto value = [](double number) {
+    return std::isnan(number) ? std::string("-") : fmt::format("{:.3f}", number);
+  };
+  const auto line = [&](const char* name, const AllowedRange& of, const char* unit) {
+    if (std::isnan(of.warm)) return;
+    text += fmt::format("  {:15}{} to {}{}; cold {}, warm {}\n", name, bound(of.least), bound(of.most), unit,
+                        value(of.cold), value(of.warm));
+  };
+  line("central force", range.central_force, " grain weights");
+  line("dip index", range.dip, "");
+  line("largest force", range.largest, " grain weights");
+  return text;
+}
+
 }  // namespace
 
 std::string describe(const Scene& scene) {
@@ -171,6 +192,7 @@ std::string describe_result(const Record& record, const Results& results) {
   }
   text += fmt::format("deepest overlap  {:.4f} diameters\n", results.max_overlap);
   if (results.dip) text += fmt::format("dip index        {:.3f}\n", results.dip->index);
+  if (results.force_range) text += describe_force_range(*results.force_range);
   if (!results.motion.rows.empty()) {
     text += fmt::format("avalanches       {} of at least {} grains in {} intervals\n", results.motion.avalanches.size(),
                         record.scene.analysis.avalanche, results.motion.rows.size());

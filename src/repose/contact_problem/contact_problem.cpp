@@ -33,11 +33,16 @@ void check(const Record& record) {
 
 ContactProblem next_contact_problem(const Record& record) {
   check(record);
+  return pose_contact_problem(record, {});
+}
+
+ContactProblem pose_contact_problem(const Record& record, const std::vector<Load<2>>& loads) {
   const auto method = make_method(record.scene);
   auto grains = *record.grains;
   Team team(1);
   method->refresh(grains, team);
   method->set_slip_displacements(grains, record.contacts);
+  method->set_loads(loads);
   const auto* problem = method->problem_at(record.facts.time, grains, team);
   REPOSE_ASSERT(problem != nullptr);
 

@@ -13,6 +13,7 @@
 #include "repose/analysis/packing.hpp"
 #include "repose/analysis/voronoi.hpp"
 #include "repose/record/record.hpp"
+#include "repose/results/force_range.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -41,8 +42,9 @@ struct Results {
   std::optional<Packing> packing;
   std::string packing_problem;  ///< why there is none although it was asked for
   std::vector<std::int64_t>
-      neighbours;                  ///< touching grains of each grain, by its place in the record, with the packing
-  std::int64_t breaking_rule = 0;  ///< deposited discs that do not rest by the critical-angle rule
+      neighbours;  ///< touching grains of each grain, by its place in the record, with the packing
+  std::optional<ForceRange> force_range;  ///< where it was asked for; `analyse` leaves it out
+  std::int64_t breaking_rule = 0;         ///< deposited discs that do not rest by the critical-angle rule
 };
 
 Results analyse(const Record& record);

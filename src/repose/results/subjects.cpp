@@ -11,6 +11,7 @@ void add_heap(Registry& to);
 void add_forces(Registry& to);
 void add_motion(Registry& to);
 void add_base(Registry& to);
+void add_force_range(Registry& to);
 void add_fields(Registry& to);
 void add_packing(Registry& to);
 void add_packing_structure(Registry& to);
@@ -26,6 +27,7 @@ std::vector<Subject> subjects() {
       add_forces,             //
       add_motion,             //
       add_base,               //
+      add_force_range,        //
       add_fields,             //
       add_packing,            //
       add_packing_structure,  //

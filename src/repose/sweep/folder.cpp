@@ -3,6 +3,7 @@
 #include "repose/sweep/folder.hpp"
 
 #include "repose/core/errors.hpp"
+#include "repose/determinacy/force_range.hpp"
 #include "repose/io/folders.hpp"
 #include "repose/io/hdf5_file.hpp"
 #include "repose/io/hdf5_reader.hpp"
@@ -178,7 +179,7 @@ void SweepFolder::write(const SweepTable& table) const {
   write_text_file(path_ + "/response.json", response_json(responses));
 }
 
-std::size_t SweepFolder::analyse() const {
+std::size_t SweepFolder::analyse(bool with_force_range) const {
   std::size_t count = 0;
   for (const auto& member : members_) {
     const auto status = status_of(member);
@@ -186,7 +187,9 @@ std::size_t SweepFolder::analyse() const {
     const auto folder = member_path(member);
     const FolderLock lock(folder);
     const auto record = read_record(folder);
-    write_results(folder, record, repose::analyse(record));
+    auto results = repose::analyse(record);
+    if (with_force_range) results.force_range = force_range(record, results);
+    write_results(folder, record, results);
     ++count;
   }
   write(table());

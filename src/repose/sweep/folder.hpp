@@ -46,8 +46,9 @@ class SweepFolder {
   SweepTable table() const;
   /// Writes table.csv, members.csv, claims.csv, claims.json and sweep.h5. Throws RunError.
   void write(const SweepTable& table) const;
-  /// Analyses every member again and writes the tables. Returns the number of members.
-  std::size_t analyse() const;
+  /// Analyses every member again, on request with its force range, and writes the tables. Returns the number of
+  /// members.
+  std::size_t analyse(bool with_force_range = false) const;
 
  private:
   std::string path_;

@@ -32,6 +32,8 @@ def draw(run, state):
         if bins:
             label = f"mean over {units.length_value(bins.attributes['bin_width'])} ± standard error"
             draw_with_error_band(axes, bins["x"], bins[name], bins[f"{name}_error"], colour, label)
+            if name == "normal":
+                draw_force_range(axes, run.analysis["force_range"])
         else:
             mean = running_mean(force, SMOOTHING)
             axes.plot(x, mean, color=colour, linewidth=1.4, label=f"mean of {SMOOTHING} grains")
@@ -41,7 +43,7 @@ def draw(run, state):
     lower.set_xlim(x[loaded[0]] - margin, x[loaded[-1]] + margin)
     figure.align_ylabels()
     handles, labels = upper.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.08 / 5.2, 1.0 - 0.26 / 3.6), ncol=2)
+    figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.08 / 5.2, 1.0 - 0.26 / 3.6), ncol=3)
 
     window = run.base.attributes
     text = f"mean over t = {window['window_start']:.6g} to {units.time_value(window['window_end'])}"
@@ -54,6 +56,16 @@ def draw(run, state):
     style.fit(figure, (0.0, 0.0, 1.0, 0.89))
     style.caption(figure, text)
     return figure
+
+
+def draw_force_range(axes, allowed):
+    """A light band of the means that equilibrium allows in each bin; it leaves the axes where there is no bound."""
+    if allowed is None:
+        return
+    most = np.where(np.isnan(allowed["max"]), 1e6, allowed["max"])
+    top = np.nanmax([axes.get_ylim()[1], 1.05 * np.nanmax(allowed["max"], initial=0.0)])
+    axes.fill_between(allowed["x"], allowed["min"], most, color=style.GREY, alpha=0.22, linewidth=0, label="equilibrium allows")
+    axes.set_ylim(axes.get_ylim()[0], top)
 
 
 def running_mean(values, count):

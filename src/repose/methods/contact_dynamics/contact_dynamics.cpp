@@ -21,6 +21,9 @@ constexpr double look_ahead_steps = 16.0;
 /// distance that grains may fall.
 constexpr double cutoff = 1.0 + 0.5 * 0.05;
 
+/// Settled grains move slower than this fraction of gravity times the time step.
+constexpr double settled_speed = 0.1;
+
 template <int D>
 PairReach reach_of(const ContactDynamicsSettings<D>& settings) {
   const double dt = settings.time_step;
@@ -73,7 +76,10 @@ StepReport ContactDynamics<D>::advance(Grains<D>& grains, double until, Team& te
 template <int D>
 const contact_dynamics::Problem<D>* ContactDynamics<D>::problem_at(double time, Grains<D>& grains, Team& team) {
   step_ = time_steps().count(time);
+  // The impulses of the step before are part of the problem, whether or not a run would start from them.
+  const auto start = std::exchange(settings_.warm_start, WarmStart::always);
   pose(grains, team);
+  settings_.warm_start = start;
   return &problem_;
 }
 
@@ -164,8 +170,23 @@ void ContactDynamics<D>::find_contacts(const Grains<D>& grains) {
   if (step_ == 1 && !follows_) {
     for (auto& c : before_) c.impulse = c.impulse * 2.0;
   }
+  forget_impulses(grains);
   const auto walls = walls_now();
   contact_dynamics::gather<D>({laws_, settings_, walls}, grains, pairs_, before_, problem_, closing_);
+}
+
+/// Drops the contacts of the previous step whose impulses are no start for this one.
+template <int D>
+void ContactDynamics<D>::forget_impulses(const Grains<D>& grains) {
+  if (settings_.warm_start == WarmStart::always) return;
+  if (settings_.warm_start == WarmStart::never) return before_.clear();
+  const double fastest = settled_speed * magnitude(settings_.gravity) * settings_.time_step;
+  const auto settled = [&](std::uint32_t body) {
+    if (body >= grains.size()) return true;  // a wall
+    const auto& grain = grains.line[body];
+    return magnitude(grain.velocity) <= fastest && magnitude(grain.rim_velocity) <= fastest;
+  };
+  std::erase_if(before_, [&](const auto& c) { return !settled(c.first) || !settled(c.second); });
 }
 
 /// Lets impacts act on the free velocities.

@@ -53,6 +53,7 @@ class ContactDynamics final : public Method<D> {
   void limit_speeds();
   void set_free_wall(std::size_t w, double kick);
   void find_contacts(const Grains<D>& grains);
+  void forget_impulses(const Grains<D>& grains);
   void collide(const Grains<D>& grains);
   void solve();
   bool move(Grains<D>& grains);

@@ -12,6 +12,13 @@
 
 namespace repose {
 
+/// Which contacts of a step start from their impulses of the step before; the others start from none.
+enum class WarmStart {
+  always,   ///< all that existed
+  settled,  ///< those of grains that move slower than a tenth of g dt: impulses of an impact are not kept
+  never
+};
+
 /// The settings of contact dynamics apart from the laws.
 template <int D>
 struct ContactDynamicsSettings {
@@ -21,6 +28,7 @@ struct ContactDynamicsSettings {
   std::vector<Wall<D>> walls;
   double speed_limit = std::numeric_limits<double>::infinity();  ///< [L/T] largest free speed, before contacts act
   contact_dynamics::SolverSettings solver{};
+  WarmStart warm_start = WarmStart::always;
   double overlap_recovery = 0.05;  ///< fraction of an overlap that a step corrects, 0 to 1
   double skin = 0.3;               ///< [L] skin of the pair list
 };

@@ -61,6 +61,7 @@ std::string ContactDynamicsMethod::describe(const Scene& scene) const {
   text += fmt::format("time step        {:.6g} ({}; g dt^2 = {:.3g} radii)\n", dt, step ? "given" : "auto",
                       scene.gravity * dt * dt / (0.5 * scene.smallest_diameter()));
   if (const auto limit = speed_limit(scene)) text += fmt::format("speed limit      {:.4g}\n", *limit);
+  if (warm_start != "always") text += fmt::format("warm start       {}\n", warm_start);
   text += fmt::format("solver           {}, residual {:g} g dt, at most {} sweeps{}\n", algorithm, limits.tolerance,
                       limits.most_sweeps, limits.stops() ? " or stop" : "");
   return text;

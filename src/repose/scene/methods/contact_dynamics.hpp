@@ -16,6 +16,7 @@ struct ContactDynamicsMethod final : KindOf<ContactDynamicsMethod, MethodKind> {
   std::optional<double> fastest;          ///< [L/T] limit of free velocities; none: "auto"
   std::string algorithm = "accelerated";  ///< or "sweeps"
   SolverLimits limits;
+  std::string warm_start = "always";
   double overlap_recovery = 0.05;  ///< fraction of an overlap that a step takes back
   double skin = unset;             ///< [L]
 
@@ -40,6 +41,10 @@ struct ContactDynamicsMethod final : KindOf<ContactDynamicsMethod, MethodKind> {
                  "sweeps forward and backward before a step is given up");
     keys.choice("method.unconverged", limits.unconverged, {"warn", "error"},
                 "steps that are given up are counted and reported, or stop the run");
+    keys.choice(
+        "method.warm_start", warm_start, {"always", "settled", "never"},
+        "contacts that start from their impulses of the step before: all; those of grains slower than 0.1 g dt, "
+        "so that no impulse of an impact stays; none");
     keys.number("method.overlap_recovery", overlap_recovery, zero_to_one, "",
                 "fraction of an overlap that a step takes back");
     keys.number("method.skin", skin, {0.3 * scene.grains.diameter, "0.3 d"}, positive, "L",

@@ -17,6 +17,9 @@ std::unique_ptr<Method<2>> ContactDynamicsMethod::make(const Scene& scene) const
   settings.solver.tolerance = limits.tolerance;
   settings.solver.most_sweeps = limits.most_sweeps;
   settings.solver.accelerated = algorithm == "accelerated";
+  settings.warm_start = warm_start == "never"     ? WarmStart::never
+                        : warm_start == "settled" ? WarmStart::settled
+                                                  : WarmStart::always;
   settings.overlap_recovery = overlap_recovery;
   settings.skin = skin;
   return make_contact_dynamics<2>(scene.impulse_laws(), settings);
