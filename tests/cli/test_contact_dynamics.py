@@ -296,3 +296,35 @@ def test_at_rest_is_a_maximum_over_grains(tmp_path, series):
     assert "stop.time" in message(moving)
     at_rest = lab.run(floor + still + stop, out="still")
     assert "at rest" in message(at_rest) and summary(at_rest)["time"] < 12.0
+
+
+# No admissible impulse lifts the disc out of the notch: a normal impulse R and friction 0.35 R lift by
+# 2 R (0.312 - 0.95 x 0.35) < 0. A fall of 2.688 gives the largest kinetic energy.
+def test_a_jamming_notch_creates_no_energy(tmp_path):
+    lab = Laboratory(tmp_path)
+    fixed = "".join(f"[[grain]]\nposition = [{x}, 0.0]\nfixed = true\n" for x in (-0.95, 0.95))
+    scene = ("[method]\nkind = 'contact-dynamics'\ntime_step = 0.01\n[contact]\nfriction = 0.35\nrestitution = 0.9\n"
+             f"{fixed}[[grain]]\nposition = [0.0, 3.0]\n[stop]\ntime = 20\n[output]\nseries = 0.01\n")
+    out = lab.run(scene)
+    with h5py.File(out / "run.h5") as file:
+        energy = file["series/kinetic_energy_per_grain"][()]
+        assert file["solver/impacts_reduced"][()].sum() == summary(out)["solver"]["impacts_reduced"] > 0
+    assert 2.5 < energy.max() <= 2.688 and energy[-1] < 1e-12
+    assert 0.0 <= summary(out)["solver"]["restitution_kept"] < 1.0
+    # Without friction nothing jams, and no restitution is lost.
+    free = lab.run(scene.replace("friction = 0.35", "friction = 0.0"), out="free")
+    assert summary(free)["solver"]["impacts_reduced"] == 0 and summary(free)["solver"]["restitution_kept"] == 1.0
+
+
+# Dropped by one diameter, a disc returns to a quarter of it at e = 0.5; the bound is 2 %.
+def test_a_bounce_at_the_automatic_step(tmp_path):
+    lab = Laboratory(tmp_path)
+    out = lab.run("[method]\nkind = 'contact-dynamics'\n[contact]\nrestitution = 0.5\n[[plane]]\npoint = [0, 0]\n"
+                  "normal = [0, 1]\n[[grain]]\nposition = [0.0, 1.5]\n[stop]\ntime = 2.1\n")
+    grains = Grains(out / "run.h5")
+    with h5py.File(out / "run.h5") as file:
+        step = file.attrs["time_step"]
+    assert 0.1 < step < 0.3
+    speed = grains.velocity[0, 1] - 0.5 * step  # velocities are half a step before the positions
+    assert grains.position[0, 1] - 0.5 + 0.5 * speed**2 == pytest.approx(0.25, rel=0.02)
+    assert grains.position[0, 1] > 0.55
