@@ -83,34 +83,9 @@ std::vector<Vec<2>> outer_forces(const Record& record, const ContactProblem& pos
   return outer;
 }
 
-double number(const Equilibrium::Extreme& extreme) {
-  return extreme.end == End::found ? extreme.value : AllowedRange::none;
-}
-
 /// The loaded part of the base that the dip index refers to.
 std::optional<BaseDip> dip_of(const Results& results, const BaseProfile& recorded) {
   return results.dip ? results.dip : base_dip(recorded);
-}
-
-/// The extremes of outer / inner over all states, by Dinkelbach's iteration: the ratio of a state that makes
-/// outer - ratio inner extreme is nearer to the extreme one, until no state beats it. `start` is a ratio that exists.
-double extreme_ratio(Equilibrium& equilibrium, const ForceSum& outer, const ForceSum& inner, double start,
-                     bool largest) {
-  constexpr int most_steps = 50;
-  constexpr double precision = 1e-7;
-  double ratio = start;
-  for (int step = 0; step < most_steps; ++step) {
-    auto difference = outer;
-    difference.add(inner, -ratio);
-    const auto found = largest ? equilibrium.most(difference) : equilibrium.least(difference);
-    if (found.end != End::found) return AllowedRange::none;
-    const double below = inner(found.forces);
-    if (!(below > 0.0)) return AllowedRange::none;
-    const double better = outer(found.forces) / below;
-    if (std::fabs(better - ratio) <= precision * std::max(1.0, std::fabs(better))) return better;
-    ratio = better;
-  }
-  return AllowedRange::none;
 }
 
 class Ranges {
@@ -134,12 +109,15 @@ class Ranges {
     range_.dip.cold = ratio_in(cold_);
     range_.dip.warm = ratio_in(equilibrium_.recorded());
     if (std::isnan(range_.dip.warm)) return;
-    range_.dip.least = extreme_ratio(equilibrium_, outer, inner, range_.dip.warm, false);
+    range_.dip.least = extreme_ratio(outer, inner, range_.dip.warm, false);
     // Where the central force may vanish, the index has no upper bound.
     if (range_.central_force.least > margin) {
-      range_.dip.most = extreme_ratio(equilibrium_, outer, inner, range_.dip.warm, true);
+      range_.dip.most = extreme_ratio(outer, inner, range_.dip.warm, true);
     }
   }
+
+  /// Whether the simplex method gave up on a programme: recorded forces show that each has a solution.
+  bool failed() const { return failed_; }
 
   /// Needs the range of the bins.
   void of_largest() {
@@ -173,6 +151,33 @@ class Ranges {
   }
 
  private:
+  /// The value of an extreme; none where there is no bound.
+  double number(const Equilibrium::Extreme& extreme) {
+    failed_ = failed_ || extreme.end == End::failed || extreme.end == End::infeasible;
+    return extreme.end == End::found ? extreme.value : AllowedRange::none;
+  }
+
+  /// An extreme of outer / inner over all states, by Dinkelbach's iteration: the ratio of a state that makes
+  /// outer - ratio inner extreme is nearer to the extreme one, until no state beats it. `start` is a ratio that exists.
+  double extreme_ratio(const ForceSum& outer, const ForceSum& inner, double start, bool largest) {
+    constexpr int most_steps = 50;
+    constexpr double precision = 1e-7;
+    double ratio = start;
+    for (int step = 0; step < most_steps; ++step) {
+      auto difference = outer;
+      difference.add(inner, -ratio);
+      const auto found = largest ? equilibrium_.most(difference) : equilibrium_.least(difference);
+      if (std::isnan(number(found))) return AllowedRange::none;
+      const double below = inner(found.forces);
+      if (!(below > 0.0)) return AllowedRange::none;
+      const double better = outer(found.forces) / below;
+      if (std::fabs(better - ratio) <= precision * std::max(1.0, std::fabs(better))) return better;
+      ratio = better;
+    }
+    failed_ = true;
+    return AllowedRange::none;
+  }
+
   /// The largest force that any base grain can bear: a programme for each that may bear more than those before. No
   /// grain bears more than all of its bin, unless others in it pull.
   double most_of_any() {
@@ -211,6 +216,7 @@ class Ranges {
   Equilibrium& equilibrium_;
   const ContactForces& cold_;
   ForceRange& range_;
+  bool failed_ = false;
 };
 
 ContactForces cold_forces(const Record& record, ContactProblem posed, ForceRange& range) {
@@ -258,6 +264,11 @@ ForceRange force_range(const Record& record, const Results& results) {
   if (const auto dip = dip_of(results, base.profile(equilibrium.recorded()))) ranges.of_dip(*dip);
   ranges.of_bins(binned(base.profile(equilibrium.recorded()), scene.analysis.base_bin));
   ranges.of_largest();
+  if (ranges.failed()) {
+    range.central_force = range.dip = range.largest = {};
+    range.base = {};
+    range.problem = "the simplex method found no extreme for a sum of forces: rounding is too large";
+  }
   return range;
 }
 
