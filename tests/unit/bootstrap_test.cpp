@@ -127,7 +127,7 @@ TEST(Bootstrap, BiasOfALargest) {
   EXPECT_NEAR(found.bias, expected, 0.06 * expected);
 }
 
-// Of 400 samples of eight pairs each, the interval of the ratio of two means holds the true one, 1.2, in 95 %. A
+// In 400 samples of eight pairs each, the interval of the ratio of two means holds the true one, 1.2, in 95 %. A
 // binomial count of 400 has a standard deviation of 1.1 %. Percentiles of the resamples alone hold it in 90 % (1793 of
 // 2000 samples with numpy), which is outside the tolerance.
 TEST(Bootstrap, IntervalsHoldTheTrueRatio) {

@@ -410,31 +410,6 @@ TEST(ContactDynamics, WarmStartSurvivesReordering) {
   EXPECT_TRUE(world.method.solution().converged);
 }
 
-// The forces of a packing from another run are an equally good start.
-TEST(ContactDynamics, HistoriesAreAWarmStart) {
-  const auto stack = [] {
-    auto settings = rigid_2d(0.05, 1.0, 1e-9);
-    settings.walls = {plane({{0.0, 0.0}}, {{0.0, 1.0}})};
-    RigidWorld<2> world({}, settings);
-    for (int k = 0; k < 12; ++k) world.add({{0.0, 0.5 + k}});
-    return world;
-  };
-  auto first = stack();
-  first.advance(5);
-  const auto contacts = first.method.contacts(first.grains);
-  ASSERT_EQ(contacts.size(), 12U);
-  auto second = stack();
-  second.refresh();
-  second.method.set_slip_displacements(second.grains, contacts);
-  second.advance(1);
-  EXPECT_EQ(second.method.solution().sweeps, 0);
-  const auto after = second.method.contacts(second.grains);
-  ASSERT_EQ(after.size(), contacts.size());
-  for (std::size_t k = 0; k < after.size(); ++k) {
-    EXPECT_NEAR(after.list[k].normal_force, contacts.list[k].normal_force, 1e-12);
-  }
-}
-
 TEST(ContactDynamics, SpeedLimitActsBeforeContacts) {
   auto settings = rigid_2d(0.1, 1.0, 1e-12);
   settings.speed_limit = 0.1;

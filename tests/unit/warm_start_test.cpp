@@ -11,6 +11,7 @@
 namespace repose {
 namespace {
 
+using testing::plane;
 using testing::rigid_2d;
 using testing::RigidWorld;
 
@@ -68,6 +69,31 @@ TEST(WarmStart, SettledGrainsAreSlowerThanATenthOfTheFallInAStep) {
     const auto expected = forces_after_step(like, true, speed);
     const auto found = forces_after_step(WarmStart::settled, true, speed);
     for (std::size_t side = 0; side < 2; ++side) EXPECT_NEAR(found[side], expected[side], wedge_rounding) << speed;
+  }
+}
+
+// The forces of a packing from another run are an equally good start.
+TEST(WarmStart, ForcesOfAnotherRunAreAnEquallyGoodStart) {
+  const auto stack = [] {
+    auto settings = rigid_2d(0.05, 1.0, 1e-9);
+    settings.walls = {plane({{0.0, 0.0}}, {{0.0, 1.0}})};
+    RigidWorld<2> world({}, settings);
+    for (int k = 0; k < 12; ++k) world.add({{0.0, 0.5 + k}});
+    return world;
+  };
+  auto first = stack();
+  first.advance(5);
+  const auto contacts = first.method.contacts(first.grains);
+  ASSERT_EQ(contacts.size(), 12U);
+  auto second = stack();
+  second.refresh();
+  second.method.set_slip_displacements(second.grains, contacts);
+  second.advance(1);
+  EXPECT_EQ(second.method.solution().sweeps, 0);
+  const auto after = second.method.contacts(second.grains);
+  ASSERT_EQ(after.size(), contacts.size());
+  for (std::size_t k = 0; k < after.size(); ++k) {
+    EXPECT_NEAR(after.list[k].normal_force, contacts.list[k].normal_force, 1e-12);
   }
 }
 

@@ -28,7 +28,7 @@ struct WallPair {
 };
 
 /// The displacements of contacts with walls that others act for pass on to those, where they have none of their own: so
-/// slip goes on across the seam between two walls. `row` has the pairs of one grain, which `contacts` numbers.
+/// slip continues across the seam between two walls. `row` has the pairs of one grain, which `contacts` numbers.
 template <int D>
 void pass_on_displacements(const WallContacts<D>& contacts, WallPair<D>* row) {
   for (const auto& touch : contacts.all()) {

@@ -51,7 +51,7 @@ std::vector<WallNow<2>> walls_at(const std::vector<Wall<2>>& walls, const std::v
   return now;
 }
 
-std::optional<std::size_t> wall_in_the_way(const std::vector<Wall<2>>& walls, const std::vector<WallNow<2>>& now,
+std::optional<std::size_t> overlapping_wall(const std::vector<Wall<2>>& walls, const std::vector<WallNow<2>>& now,
                                            const Box<2>& box, const Vec<2>& centre, double radius, double reach) {
   const double kept_free = 2.0 * radius * (reach - 1.0);
   for (std::size_t w = 0; w < walls.size(); ++w) {
@@ -74,7 +74,7 @@ std::optional<std::size_t> wall_that_blocks(const Scene& scene, double x, double
   std::optional<std::size_t> blocking;
   for (int k = -places; k <= places; ++k) {
     const Vec<2> place{{x + half_width * k / places, height}};
-    const auto wall = wall_in_the_way(walls, now, box, place, radius, scene.contact_reach());
+    const auto wall = overlapping_wall(walls, now, box, place, radius, scene.contact_reach());
     if (!wall) return std::nullopt;
     if (k == 0) blocking = wall;
   }

@@ -43,7 +43,7 @@ void check_places(const Scene& scene, Problems& problems) {
   const auto box = make_box(scene);
   const auto find = [&](const std::string& key, const std::string& what, const Vec<2>& place, double radius,
                         double allowed) {
-    const auto wall = wall_in_the_way(walls, now, box, place, radius * (1.0 - 2.0 * allowed), 1.0);
+    const auto wall = overlapping_wall(walls, now, box, place, radius * (1.0 - 2.0 * allowed), 1.0);
     if (!wall) return false;
     const auto at = above(walls[*wall], from_wall(walls[*wall], now[*wall], place, box));
     problems.problem(key,

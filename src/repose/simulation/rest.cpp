@@ -11,7 +11,7 @@ namespace repose {
 
 namespace {
 
-/// The interval between two looks, over sqrt(d/g).
+/// The interval between two checks, over sqrt(d/g).
 constexpr double interval = 0.5;
 
 /// The solver of rigid grains leaves net forces of this many times its tolerance.

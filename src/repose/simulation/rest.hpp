@@ -23,7 +23,7 @@ struct Unrest {
 Unrest largest_unrest(const Grains<2>& grains, const Contacts<2>& contacts, const std::vector<Load<2>>& loads,
                       double gravity, double diameter);
 
-/// The rule of `stop.at_rest`: every grain has been below the limit for as long as base forces are averaged. It looks
+/// The rule of `stop.at_rest`: every grain has been below the limit for as long as base forces are averaged. It checks
 /// at times of its own, every half of sqrt(d/g), and not at the rows of the series.
 class Rest {
  public:
@@ -35,7 +35,7 @@ class Rest {
   /// Looks at the state at a time, and returns whether the rest has lasted.
   bool lasts(const Unrest& unrest, double time);
 
-  /// Whether the last look found a rest that had just begun.
+  /// Whether the last check found a rest that had just begun.
   bool has_just_begun(double time) const { return since_ == time; }
 
   void exchange(Archive& archive) { archive.value("run/rest_since", since_); }
@@ -47,7 +47,7 @@ class Rest {
   double limit_ = 0.0;        // of the kinetic energy
   double force_limit_ = 0.0;  // of the net force
   double window_ = 0.0;       // [T]
-  double since_ = never;      // [T] the first look of the present rest
+  double since_ = never;      // [T] the first check of the present rest
 };
 
 }  // namespace repose

@@ -127,7 +127,7 @@ class Impact {
     close(none, false);
     for (const bool everywhere : {false, true}) {
       if (!any_open()) break;
-      give_way(everywhere);
+      reduce(everywhere);
       solve_open();
       judge();
       close(none, everywhere);
@@ -225,7 +225,7 @@ class Impact {
     for (const auto k : places_) {
       const auto cluster = clusters_.of(k);
       if (!closes[cluster]) continue;
-      if (gave_way_) now[k] += (full_[k] - now[k]) * fraction[cluster];
+      if (reduced_) now[k] += (full_[k] - now[k]) * fraction[cluster];
       problem_.contacts[k].impulse = now[k];
     }
     for (std::size_t k = 0; k < rebounds_.size(); ++k) {
@@ -241,8 +241,8 @@ class Impact {
 
   /// Takes restitution from the rebounds of open clusters: those that share a moving body with an offending contact, or
   /// all.
-  void give_way(bool everywhere) {
-    gave_way_ = true;
+  void reduce(bool everywhere) {
+    reduced_ = true;
     std::vector<char> near(problem_.free.size(), 0);
     for (std::size_t k = 0; k < problem_.contacts.size(); ++k) {
       const auto& c = problem_.contacts[k];
@@ -264,7 +264,7 @@ class Impact {
   std::vector<double> plain_;        // normal biases without restitution
   std::vector<std::size_t> places_;  // of the contacts that were solved last
   Impulses full_;                    // with all restitution
-  bool gave_way_ = false;
+  bool reduced_ = false;
   std::vector<char> open_;         // of each cluster: it has no impulses yet
   std::vector<char> full_solved_;  // of each cluster: the law has a solution with all restitution
   std::vector<char> lawful_;       // of each cluster: the last impulses obey the law

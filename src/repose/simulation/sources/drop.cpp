@@ -61,7 +61,7 @@ bool Drop::release(Grains<2>& grains, double time, const SourceView& view) {
     for (std::uint32_t n = 0; n < tries_at_once && !found; ++n) {
       const double place = 2.0 * uniform(seed, Purpose::release_position, index, tries_++) - 1.0;
       grain.position[0] = source_.x + source_.half_width * place;
-      found = room.is_free(grain) && !wall_in_the_way(walls_, walls, box, grain.position, grain.radius, reach_);
+      found = room.is_free(grain) && !overlapping_wall(walls_, walls, box, grain.position, grain.radius, reach_);
     }
     if (!found) {
       const double wait = 0.02 * std::sqrt(scene_.grains.diameter / scene_.gravity);

@@ -16,7 +16,7 @@ namespace repose {
 
 namespace {
 
-constexpr double touching = 1e-9;  // of the radius: a grain that is laid on a wall is not in its way
+constexpr double touching = 1e-9;  // of the radius: a grain that rests on a wall does not overlap it
 
 /// Height above the point of a wall at which a disc that comes down at `across` [L] beside that point touches it.
 std::optional<double> height_on(const Wall<2>& wall, double across, double radius) {
@@ -100,7 +100,7 @@ bool Sequential::release(Grains<2>& grains, double time, const SourceView& view)
     grain.position[0] = source_.x + source_.half_width * place;
     grain.position[1] = first_touch(grains, walls, grain.position[0], grain.radius) + source_.height;
     const double shrunk = (1.0 - touching) * grain.radius;
-    found = !wall_in_the_way(walls_, walls, box, grain.position, shrunk, 1.0);
+    found = !overlapping_wall(walls_, walls, box, grain.position, shrunk, 1.0);
   }
   if (!found) return false;
   const auto limit = scene_.speed_limit();
