@@ -52,7 +52,7 @@ std::vector<WallNow<2>> walls_at(const std::vector<Wall<2>>& walls, const std::v
 }
 
 std::optional<std::size_t> overlapping_wall(const std::vector<Wall<2>>& walls, const std::vector<WallNow<2>>& now,
-                                           const Box<2>& box, const Vec<2>& centre, double radius, double reach) {
+                                            const Box<2>& box, const Vec<2>& centre, double radius, double reach) {
   const double kept_free = 2.0 * radius * (reach - 1.0);
   for (std::size_t w = 0; w < walls.size(); ++w) {
     if (!now[w].present) continue;

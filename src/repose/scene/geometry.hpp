@@ -23,7 +23,7 @@ std::vector<WallNow<2>> walls_at(const std::vector<Wall<2>>& walls, const std::v
 /// The first wall that a grain of a radius [L] at `centre` would touch, by its number: two bodies touch that are nearer
 /// than `reach` times the sum of their radii.
 std::optional<std::size_t> overlapping_wall(const std::vector<Wall<2>>& walls, const std::vector<WallNow<2>>& now,
-                                           const Box<2>& box, const Vec<2>& centre, double radius, double reach);
+                                            const Box<2>& box, const Vec<2>& centre, double radius, double reach);
 
 /// The number of a wall that keeps the smallest grain from every place of a level line, x +- half_width [L]; none if
 /// there is room somewhere. Walls that move or open may give way and do not count.
