@@ -127,9 +127,9 @@ TEST(Bootstrap, BiasOfALargest) {
   EXPECT_NEAR(found.bias, expected, 0.06 * expected);
 }
 
-// In 400 samples of eight pairs each, the interval of the ratio of two means holds the true one, 1.2, in 95 %. A
-// binomial count of 400 has a standard deviation of 1.1 %. Percentiles of the resamples alone hold it in 90 % (1793 of
-// 2000 samples with numpy), which is outside the tolerance.
+// The interval of the ratio of two means holds the true one, 1.2, for 95 % of 400 samples of eight pairs. A binomial
+// count of 400 has a standard deviation of 1.1 %. Percentiles of the resamples alone hold it in 90 % (1793 of 2000
+// samples with numpy), which is outside the tolerance.
 TEST(Bootstrap, IntervalsHoldTheTrueRatio) {
   constexpr std::size_t n = 8;
   constexpr int samples = 400;
