@@ -24,14 +24,14 @@ struct WallTouch {
   Vec<D> nearest() const { return place.normal * -place.height; }  ///< [L] point of the wall, from the centre
 };
 
-/// The walls in reach of one grain, of which those that meet act as one surface:
-/// - An end of a wall that lies on another wall in reach is no end: only the other wall acts, whose nearest point is
-///   nearer. Where the ends of several walls coincide and nothing else is nearer, one of them acts.
-/// - Of two faces that nearly continue each other at the grain (their normals differ by less than 3 degrees), the
-/// nearer
-///   one acts.
-/// Of equal ones the last acts. Two infinite walls, or a smooth and another wall, are never one surface. Two faces at a
-/// larger angle both act: a grain in a corner touches both.
+/// The walls in reach of one grain, of which those that meet act as one surface.
+///
+/// An end of a wall that lies on another wall in reach is no end: only the other wall acts, whose nearest point is
+/// nearer. Where the ends of several walls coincide and nothing else is nearer, one of them acts. Of two faces that
+/// nearly continue each other at the grain (their normals differ by less than 3 degrees), the nearer one acts. Of equal
+/// ones the last acts. Two infinite walls, or a smooth and another wall, are never one surface. Two faces at a larger
+/// angle both act: a grain in a corner touches both.
+/// Validated by tests/unit/wall_contacts_test.cpp, tests/cli/test_walls_that_meet.py.
 template <int D>
 class WallContacts {
  public:

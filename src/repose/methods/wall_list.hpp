@@ -27,8 +27,9 @@ struct WallPair {
   Vec<D> impulse{};      ///< [M L/T] impulse on the grain since it was last collected
 };
 
-/// The displacements of contacts with walls that others act for pass on to those, where they have none of their own: so
-/// slip continues across the seam between two walls. `row` has the pairs of one grain, which `contacts` numbers.
+/// Passes the displacements of contacts whose wall does not act on to the wall that acts for it, where that has none of
+/// its own: so slip continues across the seam between two walls. `row` has the pairs of one grain, which `contacts`
+/// numbers.
 template <int D>
 void pass_on_displacements(const WallContacts<D>& contacts, WallPair<D>* row) {
   for (const auto& touch : contacts.all()) {
