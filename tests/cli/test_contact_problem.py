@@ -25,10 +25,10 @@ polydispersity = 0.3
 [base]
 kind = "plane"
 [[plane]]
-point = [-4.2, 0]
+point = [-4.6, 0]
 normal = [1, 0]
 [[plane]]
-point = [4.2, 0]
+point = [4.6, 0]
 normal = [-1, 0]
 [source]
 kind = "lattice"
@@ -263,7 +263,7 @@ def test_runs_without_a_problem_are_refused(lab, heap):
     result = lab("export", heap, "--to", "contact-problem", "--out", "out")
     assert result.returncode == 2 and "only contact-dynamics has one" in result.stderr
     assert not everything_in(lab.path)
-    scene = (BOX % ("1e-7", 0.5)).replace("point = [4.2, 0]", "motion = 'velocity'\nvelocity = [0.01, 0]\npoint = [4.2, 0]", 1)
+    scene = (BOX % ("1e-7", 0.5)).replace("point = [4.6, 0]", "motion = 'velocity'\nvelocity = [0.01, 0]\npoint = [4.6, 0]", 1)
     lab.run(scene + "[[load]]\ngrain = 3\nforce = [0, -1]\n", out="moving")
     lab.refused("export", "moving", "--to", "contact-problem", parts=["a wall moves", "has loads"])
 

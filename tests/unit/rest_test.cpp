@@ -48,7 +48,8 @@ TEST(Rest, UnrestIsTheLargestOfAllGrains) {
 }
 
 TEST(Rest, MustLastForTheWindow) {
-  const auto scene = scene_from_text("stop = { at_rest = 1e-3 }\noutput = { window = 2.0 }\n", "scene.toml");
+  const auto scene = scene_from_text(
+      "stop = { at_rest = 1e-3 }\noutput = { window = 2.0 }\n[[grain]]\nposition = [0, 1]\n", "scene.toml");
   Rest rest(scene, {0.01, true});
   EXPECT_DOUBLE_EQ(rest.due_after(0.0), 0.5);
   const Unrest quiet{1e-4, 1e-4};

@@ -172,7 +172,7 @@ void ContactDynamics<D>::find_contacts(const Grains<D>& grains) {
   }
   forget_impulses(grains);
   const auto walls = walls_now();
-  contact_dynamics::gather<D>({laws_, settings_, walls}, grains, pairs_, before_, problem_, closing_);
+  contact_dynamics::gather<D>({laws_, settings_, walls}, grains, pairs_, before_, problem_, collisions_);
 }
 
 /// Drops the contacts of the previous step whose impulses are no start for this one.
@@ -193,12 +193,12 @@ void ContactDynamics<D>::forget_impulses(const Grains<D>& grains) {
 template <int D>
 void ContactDynamics<D>::collide(const Grains<D>& grains) {
   std::vector<contact_dynamics::Body<D>> before;
-  if (!closing_.empty()) {
+  if (!collisions_.closing.empty()) {
     for (const auto& grain : grains.line) before.push_back({grain.velocity, grain.rim_velocity, grain.inverse_mass});
     before.insert(before.end(), problem_.free.begin() + static_cast<std::ptrdiff_t>(grains.size()),
                   problem_.free.end());
   }
-  const auto report = impacts_.act(before, times(), closing_, problem_);
+  const auto report = impacts_.act(before, times(), collisions_, problem_);
   account_.sweeps += report.solution.sweeps;
   account_.contact_iterations += 2 * report.contact_sweeps;
   account_.impacts += report.impacts;

@@ -68,7 +68,7 @@ class ContactDynamics final : public Method<D> {
   contact_dynamics::Problem<D> problem_;
   contact_dynamics::Solver<D> solver_;
   contact_dynamics::Impacts<D> impacts_;
-  std::vector<contact_dynamics::Closing> closing_;
+  contact_dynamics::Collisions collisions_;
   std::vector<contact_dynamics::ContactLine<D>> before_;  // contacts of the previous step, whose impulses are the start
   std::size_t known_ = 0;                                 // number of grains when bodies were last numbered
   long step_ = 0;

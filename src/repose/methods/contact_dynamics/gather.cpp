@@ -40,13 +40,13 @@ template <int D>
 class Gathering {
  public:
   Gathering(const GatherInput<D>& input, const Grains<D>& grains, const std::vector<ContactLine<D>>& before,
-            Problem<D>& problem, std::vector<Closing>& closing)
+            Problem<D>& problem, Collisions& collisions)
       : input_(input),
         grains_(grains),
         old_(before.begin()),
         old_end_(before.end()),
         problem_(problem),
-        closing_(closing) {
+        collisions_(collisions) {
     const double dt = input.settings.time_step;
     fall_ = margin_of_fall * magnitude(input.settings.gravity) * dt * dt;
     slow_ = slowest_impact * magnitude(input.settings.gravity) * dt;
@@ -142,9 +142,11 @@ class Gathering {
     line.normal_bias = normal_bias(approach);
     const auto place = static_cast<std::uint32_t>(problem_.contacts.size());
     const bool rebounds = law.restitution > 0.0 || law.tangential_restitution != 0.0;
-    if (rebounds && opening_velocity(line, first, other) < -slow_ &&
-        closing_distance(approach, line.first, line.second) >= approach.gap) {
-      closing_.push_back({place, approach.gap, law.restitution, law.tangential_restitution});
+    const double opening = opening_velocity(line, first, other);
+    if (rebounds && opening < -slow_ && closing_distance(approach, line.first, line.second) >= approach.gap) {
+      collisions_.closing.push_back({place, approach.gap, law.restitution, law.tangential_restitution});
+    } else if (rebounds && opening > 0.0) {
+      collisions_.opening.push_back({place, law.restitution});
     }
     problem_.contacts.push_back(line);
   }
@@ -162,7 +164,7 @@ class Gathering {
   typename std::vector<ContactLine<D>>::const_iterator old_;
   typename std::vector<ContactLine<D>>::const_iterator old_end_;
   Problem<D>& problem_;
-  std::vector<Closing>& closing_;
+  Collisions& collisions_;
   WallContacts<D> touching_;  // of the grain at hand
   double fall_ = 0.0;         // [L]
   double slow_ = 0.0;         // [L/T]
@@ -172,11 +174,12 @@ class Gathering {
 
 template <int D>
 void gather(const GatherInput<D>& input, const Grains<D>& grains, const PairList<D>& pairs,
-            const std::vector<ContactLine<D>>& before, Problem<D>& problem, std::vector<Closing>& closing) {
+            const std::vector<ContactLine<D>>& before, Problem<D>& problem, Collisions& collisions) {
   problem.contacts.clear();
   problem.rolling = false;
-  closing.clear();
-  Gathering<D> gathering(input, grains, before, problem, closing);
+  collisions.closing.clear();
+  collisions.opening.clear();
+  Gathering<D> gathering(input, grains, before, problem, collisions);
   for (std::uint32_t i = 0; i < pairs.rows(); ++i) {
     for (auto k = pairs.row_start[i]; k < pairs.row_start[i + 1]; ++k) gathering.grain(i, pairs.partner[k]);
     if (grains.line[i].fixed()) continue;
@@ -220,9 +223,9 @@ void renumber(const std::vector<std::uint32_t>& order, std::size_t grains_before
 }
 
 template void gather(const GatherInput<2>&, const Grains<2>&, const PairList<2>&, const std::vector<ContactLine<2>>&,
-                     Problem<2>&, std::vector<Closing>&);
+                     Problem<2>&, Collisions&);
 template void gather(const GatherInput<3>&, const Grains<3>&, const PairList<3>&, const std::vector<ContactLine<3>>&,
-                     Problem<3>&, std::vector<Closing>&);
+                     Problem<3>&, Collisions&);
 template void renumber(const std::vector<std::uint32_t>&, std::size_t, std::vector<ContactLine<2>>&);
 template void renumber(const std::vector<std::uint32_t>&, std::size_t, std::vector<ContactLine<3>>&);
 

@@ -29,14 +29,27 @@ struct Closing {
   double tangential_restitution = 0.0;  ///< -1 to 1
 };
 
+/// A contact with restitution that opens. It is no obstacle to a body that an impact throws back at it, but the next
+/// impact.
+struct Opening {
+  std::uint32_t contact = 0;
+  double restitution = 0.0;
+};
+
+/// The contacts with restitution of a step.
+struct Collisions {
+  std::vector<Closing> closing;
+  std::vector<Opening> opening;
+};
+
 /// Sets the contacts of a step: pairs that touch, overlap or may touch within the step. They are ordered by the rows of
 /// the pair list; contacts of a grain with walls (wall w is body number of grains + w) follow at the end of its row.
 /// `problem` holds the free velocities; `grains` has the velocities before the step. Impulses start from those of
 /// `before`, the contacts of the previous step, in the same order of bodies. Biases are those of gaps and
-/// overlaps; contacts with restitution that close within the step are listed in `closing`.
+/// overlaps; `collisions` lists those with restitution.
 template <int D>
 void gather(const GatherInput<D>& input, const Grains<D>& grains, const PairList<D>& pairs,
-            const std::vector<ContactLine<D>>& before, Problem<D>& problem, std::vector<Closing>& closing);
+            const std::vector<ContactLine<D>>& before, Problem<D>& problem, Collisions& collisions);
 
 /// Renumbers the bodies of contacts after grains were reordered or dropped, and sorts the contacts into the order of
 /// `gather`. `order` is the result of PairList::build, `grains_before` the number of grains before it.

@@ -48,9 +48,9 @@ void Impacts<D>::find_times(const std::vector<Body<D>>& before, const StepTimes&
 }
 
 template <int D>
-ImpactReport Impacts<D>::act(const std::vector<Body<D>>& before, const StepTimes& times,
-                             const std::vector<Closing>& closing, Problem<D>& problem) {
-  closing_ = closing;
+ImpactReport Impacts<D>::act(const std::vector<Body<D>>& before, const StepTimes& times, const Collisions& collisions,
+                             Problem<D>& problem) {
+  closing_ = collisions.closing;
   impulses_.clear();
   if (closing_.empty()) return {};
   find_times(before, times, problem);
@@ -71,6 +71,11 @@ ImpactReport Impacts<D>::act(const std::vector<Body<D>>& before, const StepTimes
     rebounds.push_back({one.contact, one.restitution * speed, slip_velocity(c, a, b) * one.tangential_restitution});
     impact.contacts[one.contact].normal_bias = 0.0;
     fastest = std::max({fastest, -speed, magnitude(slip_velocity(c, a, b))});
+  }
+  for (const auto& one : collisions.opening) {
+    auto& c = impact.contacts[one.contact];
+    const double speed = opening_velocity(c, impact.free[c.first], impact.free[c.second]);
+    c.normal_bias = std::max(c.normal_bias, one.restitution * speed);
   }
   impact.velocity_scale = std::max(problem.velocity_scale, fastest);
   const auto report = solve_impact(rebounds, solver_, impact);

@@ -29,7 +29,7 @@ class Impacts {
 
   /// Lets the impacts act on the free velocities of `problem`, whose contacts hold no biases of restitution. `before`
   /// holds the velocities of all bodies before the step.
-  ImpactReport act(const std::vector<Body<D>>& before, const StepTimes& times, const std::vector<Closing>& closing,
+  ImpactReport act(const std::vector<Body<D>>& before, const StepTimes& times, const Collisions& collisions,
                    Problem<D>& problem);
 
   /// The impulses of the impacts of this step, one for each contact; empty without impacts.
