@@ -180,3 +180,14 @@ def test_wrong_boundaries_are_refused(lab, name):
     text, part = WRONG[name]
     lab.scene(text)
     lab.refused("run", "scene.toml", parts=[part])
+
+
+# A pair must not act on each other through both sides of a periodic box at once.
+@pytest.mark.parametrize("cutoff, half_width", [(6.0, 5.0), (5.0, 5.0), (4.9, 5.0)])
+def test_a_reach_beyond_half_the_box_is_refused(lab, cutoff, half_width):
+    scene = (f"[contact]\nnormal = {{ law = 'continuous', cutoff = {cutoff} }}\n[base]\nkind = 'plane'\n[box]\nx = 'periodic'\n"
+             f"half_width = {half_width}\n[[grain]]\nposition = [0, 1]\n[stop]\ntime = 1e-3\n")
+    if cutoff < half_width:
+        lab.run(scene)
+    else:
+        lab.refused("check", lab.scene(scene), parts=["scene.toml:7: box.half_width = 5: the largest grains act on each other up to"])

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/analysis/student.hpp"
+#include "repose/scene/read.hpp"
 #include "repose/sweep/table.hpp"
 #include "support/sleep_data.hpp"
 
@@ -274,6 +275,28 @@ TEST(Claims, DipsOfSharedSeedsArePaired) {
     EXPECT_EQ(verdict.inference.count, shared ? 8U : 16U);
     EXPECT_EQ(verdict.missing, 0U);
   }
+}
+
+// Statics leaves the base forces of rigid grains open: no claim on them stands without the band of every member.
+TEST(Claims, BaseForcesOfRigidGrainsAreNotDetermined) {
+  const auto verdict = [](const char* method, double lowest, double highest, const std::string& measure) {
+    SweepByHand sweep;
+    sweep.add("one", {1.4, 1.5, 1.6});
+    sweep.plan.points.back().scene = scene_from_text(
+        "method.kind = \"" + std::string(method) + "\"\nstop = { time = 1 }\n[[grain]]\nposition = [0, 1]\n",
+        "scene.toml");
+    for (auto& member : sweep.members) member.values = {member.values[0], lowest, highest};
+    sweep.claim(Claim::Kind::value, {"one"}, 1.0, 2.0, measure);
+    return make_table(sweep.plan, {measure, "force_range.dip.min", "force_range.dip.max"}, sweep.members)
+        .verdicts.front();
+  };
+  const double unknown = Inference::none;
+  EXPECT_EQ(verdict("soft", unknown, unknown, "base_dip.index").word, "agrees");
+  EXPECT_EQ(verdict("contact-dynamics", unknown, unknown, "coordination").word, "agrees");
+  EXPECT_EQ(verdict("contact-dynamics", unknown, unknown, "base_dip.index").word, "not determined");
+  EXPECT_EQ(verdict("contact-dynamics", 0.04, 10.5, "base_dip.index").word, "not determined");
+  EXPECT_EQ(verdict("contact-dynamics", 1.1, 1.9, "base_dip.index").word, "agrees");
+  EXPECT_EQ(verdict("contact-dynamics", 1.1, 1.9, "base_scatter").holm_word, "not determined");
 }
 
 TEST(Claims, CsvAndJsonHaveTheSameColumns) {

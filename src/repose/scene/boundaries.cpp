@@ -111,6 +111,11 @@ void check_box(const Scene& scene, Problems& problems) {
     problems.problem("box.half_width", fmt::format(" = {}: a periodic box must be at least 8 of the largest diameters "
                                                    "wide",
                                                    box.half_width));
+  } else if (box.periodic() && problems.none() && scene.contact_reach() * scene.largest_diameter() >= box.half_width) {
+    problems.problem("box.half_width",
+                     fmt::format(" = {}: the largest grains act on each other up to {} apart, which must be less than "
+                                 "half of a periodic box",
+                                 box.half_width, scene.contact_reach() * scene.largest_diameter()));
   }
   if (!box.periodic() && scene.base->of_grains() && problems.sound("base.half_width") &&
       box.half_width < scene.base->reach(scene)) {

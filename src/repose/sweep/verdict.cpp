@@ -3,6 +3,7 @@
 #include "repose/sweep/verdict.hpp"
 
 #include "repose/analysis/holm.hpp"
+#include "repose/sweep/determined.hpp"
 #include "repose/sweep/point_inference.hpp"
 #include "repose/sweep/table.hpp"
 
@@ -122,6 +123,9 @@ std::vector<Verdict> judge_claims(const SweepPlan& plan, const SweepTable& table
     verdict.p_fails_holm = fails[k];
     verdict.word = word_of(plan.claims[k], verdict.p_holds, verdict.p_fails);
     verdict.holm_word = word_of(plan.claims[k], holds[k], fails[k]);
+    if (verdict.word != "no data" && !is_determined(plan.claims[k], plan, table)) {
+      verdict.word = verdict.holm_word = "not determined";
+    }
   }
   return verdicts;
 }

@@ -16,8 +16,8 @@ struct SweepTable;
 
 /// The verdict on a claim.
 struct Verdict {
-  /// "agrees", "disagrees" or "undecided"; of an equivalence "equivalent", "different" or "undecided"; "no data" where
-  /// there is no error.
+  /// "agrees", "disagrees" or "undecided"; of an equivalence "equivalent", "different" or "undecided"; "not
+  /// determined" where statics leaves the forces of rigid grains open; "no data" where there is no error.
   std::string word = "no data";
   std::string holm_word = "no data";         ///< the verdict with p-values adjusted for the number of claims
   Inference inference;                       ///< of the statistic; of an equivalence that of the pair that decides
