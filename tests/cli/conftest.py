@@ -32,7 +32,7 @@ time = 500
 """
 
 
-def repose(*args, cwd=None, timeout=30, before=""):
+def repose(*args, cwd=None, timeout=120, before=""):
     """Runs the program. `before` is shell text that precedes it, such as a limit on the size of files."""
     command = [PROGRAM, *map(str, args)]
     if before:
