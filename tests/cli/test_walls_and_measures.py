@@ -6,7 +6,7 @@ import math
 
 import pytest
 from conftest import Grains, summary
-from test_wall_reports import POUR, SQUARE, TRAY, wall
+from wall_scenes import POUR, SQUARE, TRAY, wall
 
 
 def test_a_packing_on_a_plane_is_measured_from_height_0(lab):
@@ -69,7 +69,7 @@ def test_a_bed_between_walls_has_no_angle(lab):
     assert found["moments"] is None
 
 
-# Walls that meet at the neck of an hourglass used to cut cells down to nothing.
+# Walls that meet at the neck of an hourglass leave its cells whole.
 def test_the_core_of_an_hourglass_is_finite(lab):
     glass = "".join(wall(f"{side}{k}", (s * x, y), (s * u, v)) for side, s in (("l", -1), ("r", 1))
                     for k, (x, y, u, v) in enumerate([(5, 14, 0.8, 8), (0.8, 8, 5, 2), (5, 2, 5, 0)]))

@@ -7,18 +7,7 @@ import math
 import numpy as np
 import pytest
 from conftest import Grains, datasets, summary
-
-HOOKE = "[contact]\nfriction = 0.0\nnormal = { law = 'hooke', stiffness = 1e4, restitution = 0.5 }\n"
-IMPACT = "gravity = 0.0\n[method]\ntime_step = 2e-5\n" + HOOKE
-
-
-def wall(name, start, end, *lines):
-    return "\n".join([f"[[wall]]\nname = '{name}'\nfrom = {list(start)}\nto = {list(end)}", *lines, ""])
-
-
-def grain(x, y, vx=0.0, vy=0.0):
-    return f"[[grain]]\nposition = [{x}, {y}]\nvelocity = [{vx}, {vy}]\n"
-
+from wall_scenes import IMPACT, grain, wall
 
 SEAMS = {
     "one wall": wall("a", (-5, 0), (5, 0)),

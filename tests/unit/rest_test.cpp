@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <string>
+
 namespace repose {
 namespace {
 
@@ -60,6 +63,28 @@ TEST(Rest, MustLastForTheWindow) {
   EXPECT_FALSE(rest.lasts(quiet, 2.0));
   EXPECT_FALSE(rest.lasts(quiet, 3.5));
   EXPECT_TRUE(rest.lasts(quiet, 4.0));
+}
+
+// A bed behind a gate is not at rest for good before the gate has opened, nor one under a piston that has yet to start.
+TEST(Rest, WaitsForWalls) {
+  const std::string head = "stop = { at_rest = 1e-3 }\noutput = { window = 2.0 }\n[[grain]]\nposition = [0, 1]\n";
+  for (const char* wall : {"[[wall]]\nfrom = [5, 0]\nto = [5, 4]\nopens_at = 40\n",
+                           "[[plane]]\npoint = [0, 9]\nnormal = [0, -1]\nmotion = 'velocity'\nvelocity = [0, -0.1]\n"
+                           "start = 40\n"}) {
+    Rest rest(scene_from_text(head + wall, "scene.toml"), {0.01, true});
+    const Unrest quiet{1e-4, 1e-4};
+    EXPECT_FALSE(rest.lasts(quiet, 37.0)) << wall;
+    EXPECT_FALSE(rest.lasts(quiet, 40.0)) << wall;
+    EXPECT_FALSE(rest.lasts(quiet, 40.5)) << wall;
+    EXPECT_TRUE(rest.lasts(quiet, 42.5)) << wall;
+  }
+}
+
+TEST(Rest, ANumberThatIsNoneIsNoRest) {
+  Grains<2> grains;
+  grains.add(disc(0.0, std::numeric_limits<double>::quiet_NaN()), 0);
+  grains.add(disc(2.0, 0.0), 1);
+  EXPECT_EQ(largest_unrest(grains, {}, {}, 1.0, 1.0).kinetic_energy, std::numeric_limits<double>::infinity());
 }
 
 }  // namespace

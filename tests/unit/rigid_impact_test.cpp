@@ -36,7 +36,7 @@ double largest_rise(RigidWorld<D>& world, long steps) {
   return worst / start;
 }
 
-// A disc is shot into a wedge of two planes, without gravity. Its energy rose eightfold where friction jams it.
+// A disc is shot into a wedge of two planes, without gravity; in many of these wedges friction jams it.
 TEST(RigidImpact, WedgesOfPlanesAddNoEnergy) {
   long reduced = 0;
   for (int half_angle = 15; half_angle <= 75; half_angle += 5) {

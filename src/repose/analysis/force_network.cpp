@@ -62,9 +62,7 @@ ForceNetwork measure_force_network(const Grains<2>& grains, const Contacts<2>& c
 }
 
 template <int D>
-double force_residual(const Grains<D>& grains, const Contacts<D>& contacts, const Vec<D>& gravity) {
-  const double strength = magnitude(gravity);
-  if (!(strength > 0.0)) return std::numeric_limits<double>::quiet_NaN();
+std::vector<Vec<D>> net_forces(const Grains<D>& grains, const Contacts<D>& contacts, const Vec<D>& gravity) {
   const auto place = places(grains);
   std::vector<Vec<D>> net(grains.size());
   for (std::size_t k = 0; k < grains.size(); ++k) net[k] = gravity * grains.line[k].mass;
@@ -73,6 +71,14 @@ double force_residual(const Grains<D>& grains, const Contacts<D>& contacts, cons
     net[place.at(contact.first)] += force;
     if (contact.second >= 0) net[place.at(contact.second)] -= force;
   }
+  return net;
+}
+
+template <int D>
+double force_residual(const Grains<D>& grains, const Contacts<D>& contacts, const Vec<D>& gravity) {
+  const double strength = magnitude(gravity);
+  if (!(strength > 0.0)) return std::numeric_limits<double>::quiet_NaN();
+  const auto net = net_forces(grains, contacts, gravity);
   double sum = 0.0;
   double count = 0.0;
   for (const auto k : by_id(grains)) {
@@ -90,6 +96,7 @@ double max_overlap(const Contacts<D>& contacts) {
   return deepest;
 }
 
+template std::vector<Vec<2>> net_forces(const Grains<2>&, const Contacts<2>&, const Vec<2>&);
 template double force_residual(const Grains<2>&, const Contacts<2>&, const Vec<2>&);
 template double max_overlap(const Contacts<2>&);
 

@@ -25,6 +25,10 @@ struct ForceNetwork {
 ForceNetwork measure_force_network(const Grains<2>& grains, const Contacts<2>& contacts,
                                    const std::vector<bool>& in_heap, double threshold);
 
+/// The net force on each grain [M L/T^2]: its weight and the forces of its contacts, in the order of the grains.
+template <int D>
+std::vector<Vec<D>> net_forces(const Grains<D>& grains, const Contacts<D>& contacts, const Vec<D>& gravity);
+
 /// The mean over moving grains of the net force (magnitude) divided by the grain's weight: 0 at rest, 1 in free fall.
 /// It is computed from the contacts alone, independently of the method that moved the grains. NaN without gravity.
 template <int D>

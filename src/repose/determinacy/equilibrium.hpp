@@ -44,8 +44,8 @@ struct EquilibriumInput {
 /// need no rows. See docs/physics/force_range.md.
 class Equilibrium {
  public:
-  /// Balance is missed by as much as `recorded` misses it, grain by grain. The torques of rolling friction, which are
-  /// not recorded, are those that miss it least.
+  /// Balance is missed by as much as `recorded` misses it, grain by grain. The torques of rolling friction are
+  /// those that miss it least.
   Equilibrium(const EquilibriumInput& input, const ContactForces& recorded);
 
   std::size_t unknowns() const { return unknowns_; }

@@ -42,7 +42,7 @@ struct PistonLoad {
 
 /// The least mass [M] with which the piston is stable in steps of `step` [T]. The stiffness K and the dashpot C of all
 /// contacts along its motion add up, and K dt^2 + 2 C dt < 4 M as for a bed; a step counts as 1 / auto_part_of_bed
-/// times as long. Validated by tests/unit/laws_test.cpp, tests/cli/test_wall_reports.py (pistons above and below the
+/// times as long. Validated by tests/unit/laws_test.cpp, tests/cli/test_walls.py (pistons above and below the
 /// limit).
 double least_piston_mass(const ContactLaws& laws, const GrainSize& grain, const PistonLoad& load, double step);
 

@@ -14,9 +14,9 @@ namespace {
 
 void stop_keys(StopKeys& stop, Parameters& keys) {
   keys.optional_number("stop.at_rest", stop.at_rest, {"", "none"}, positive, "",
-                       "ends the run after the last grain, once kinetic energy (in m g d) and net force (in m g) of "
-                       "every grain have been "
-                       "below this for output.window");
+                       "ends the run after the last grain, load and wall have come, opened or begun to move, once "
+                       "kinetic energy (in m g d) and net force (in m g) of every grain have been below this for "
+                       "output.window");
   keys.optional_number("stop.time", stop.time, {"", "none"}, positive, "T", "ends the run at this time");
 }
 

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/simulation/rest.hpp"
 
+#include "repose/analysis/force_network.hpp"
+#include "repose/scene/geometry.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <unordered_map>
+#include <limits>
 
 namespace repose {
 
@@ -27,31 +29,21 @@ double limit_of_forces(const Scene& scene) {
 
 Unrest largest_unrest(const Grains<2>& grains, const Contacts<2>& contacts, const std::vector<Load<2>>& loads,
                       double gravity, double diameter) {
-  std::unordered_map<std::int64_t, std::size_t> place;
-  place.reserve(grains.size());
-  std::vector<Vec<2>> net(grains.size());
-  for (std::size_t k = 0; k < grains.size(); ++k) {
-    place.emplace(grains.id[k], k);
-    net[k] = Vec<2>{{0.0, -gravity * grains.line[k].mass}};
-  }
-  for (const auto& contact : contacts.list) {
-    const Vec<2> force = force_of(contact);
-    net[place.at(contact.first)] += force;
-    if (contact.second >= 0) net[place.at(contact.second)] -= force;
-  }
+  auto net = net_forces(grains, contacts, Vec<2>{{0.0, -gravity}});
   for (const auto& load : loads) {
-    if (const auto found = place.find(load.grain); found != place.end()) net[found->second] += load.force;
+    const auto found = std::find(grains.id.begin(), grains.id.end(), load.grain);
+    if (found != grains.id.end()) net[static_cast<std::size_t>(found - grains.id.begin())] += load.force;
   }
   Unrest largest;
+  const auto take = [](double& so_far, double value) {
+    so_far = std::isnan(value) ? std::numeric_limits<double>::infinity() : std::max(so_far, value);
+  };
   for (std::size_t k = 0; k < grains.size(); ++k) {
     const auto& grain = grains.line[k];
     if (grain.fixed()) continue;
-    const double energy = 0.5 * (squared(grain.velocity) + squared(grain.rim_velocity) / inverse_inertia_factor<2>) /
-                          (gravity * diameter);
-    const double force = magnitude(net[k]) / (grain.mass * gravity);
-    // A number that is not one is no rest.
-    if (!(energy <= largest.kinetic_energy)) largest.kinetic_energy = energy;
-    if (!(force <= largest.net_force)) largest.net_force = force;
+    const double speed2 = squared(grain.velocity) + squared(grain.rim_velocity) / inverse_inertia_factor<2>;
+    take(largest.kinetic_energy, 0.5 * speed2 / (gravity * diameter));
+    take(largest.net_force, magnitude(net[k]) / (grain.mass * gravity));
   }
   return largest;
 }
@@ -62,10 +54,14 @@ Rest::Rest(const Scene& scene, const TimeSteps& steps) : times_(0.0, steps) {
   limit_ = *scene.stop.at_rest;
   force_limit_ = limit_of_forces(scene);
   window_ = scene.output.window;
+  for (const auto& wall : make_walls(scene)) {
+    if (std::isfinite(wall.opens_at)) not_before_ = std::max(not_before_, wall.opens_at);
+    if (wall.motion.kind != WallMotion<2>::Kind::none) not_before_ = std::max(not_before_, wall.motion.start);
+  }
 }
 
 bool Rest::lasts(const Unrest& unrest, double time) {
-  if (!(unrest.kinetic_energy < limit_ && unrest.net_force < force_limit_)) {
+  if (time <= not_before_ || !(unrest.kinetic_energy < limit_ && unrest.net_force < force_limit_)) {
     since_ = never;
     return false;
   }

@@ -24,15 +24,16 @@ Unrest largest_unrest(const Grains<2>& grains, const Contacts<2>& contacts, cons
                       double gravity, double diameter);
 
 /// The rule of `stop.at_rest`: every grain has been below the limit for as long as base forces are averaged. It checks
-/// at times of its own, every half of sqrt(d/g), and not at the rows of the series.
+/// at times of its own, every half of sqrt(d/g), and not at the rows of the series. While a wall has yet to open or to
+/// begin its motion, there is no rest.
 class Rest {
  public:
   Rest(const Scene& scene, const TimeSteps& steps);
 
-  /// The first time after `time` [T] at which to look; infinity if the scene does not stop at rest.
+  /// The first time after `time` [T] at which to check; infinity if the scene does not stop at rest.
   double due_after(double time) const { return times_.after(time); }
 
-  /// Looks at the state at a time, and returns whether the rest has lasted.
+  /// Takes the state at a time, and returns whether the rest has lasted.
   bool lasts(const Unrest& unrest, double time);
 
   /// Whether the last check found a rest that had just begun.
@@ -44,10 +45,11 @@ class Rest {
   static constexpr double never = std::numeric_limits<double>::infinity();
 
   Every times_;
-  double limit_ = 0.0;        // of the kinetic energy
-  double force_limit_ = 0.0;  // of the net force
-  double window_ = 0.0;       // [T]
-  double since_ = never;      // [T] the first check of the present rest
+  double limit_ = 0.0;          // of the kinetic energy
+  double force_limit_ = 0.0;    // of the net force
+  double window_ = 0.0;         // [T]
+  double not_before_ = -never;  // [T] the last wall has opened, or begun its motion
+  double since_ = never;        // [T] the first check of the present rest
 };
 
 }  // namespace repose

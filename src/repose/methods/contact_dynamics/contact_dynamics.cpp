@@ -291,7 +291,9 @@ bool ContactDynamics<D>::move(Grains<D>& grains) {
     auto& wall = walls_[w];
     const auto& body = problem_.bodies[grains.size() + w];
     if (body.inverse_mass > 0.0) wall.speed = dot(body.velocity, settings_.walls[w].motion.direction);
-    wall.displacement += wall.speed * dt;
+    const auto& advancing = advancing_[grains.size() + w];
+    wall.displacement +=
+        (body.inverse_mass > 0.0 ? dot(advancing.velocity, settings_.walls[w].motion.direction) : wall.speed) * dt;
   }
   ++step_;
   return fine;

@@ -8,18 +8,7 @@ import h5py
 import numpy as np
 import pytest
 from conftest import Grains, datasets, number_in, summary
-
-HOOKE = "[contact]\nfriction = 0.0\nnormal = { law = 'hooke', stiffness = 1e4, restitution = 0.5 }\n"
-IMPACT = "gravity = 0.0\n[method]\ntime_step = 2e-5\n" + HOOKE
-
-
-def wall(name, start, end, *lines):
-    return "\n".join([f"[[wall]]\nname = '{name}'\nfrom = {list(start)}\nto = {list(end)}", *lines, ""])
-
-
-def grain(x, y, vx=0.0, vy=0.0):
-    return f"[[grain]]\nposition = [{x}, {y}]\nvelocity = [{vx}, {vy}]\n"
-
+from wall_scenes import IMPACT, POUR, SQUARE, TRAY, grain, wall
 
 # ---- analyses see walls where they stand
 
@@ -52,12 +41,6 @@ time = 5.0
 ], ids=lambda text: text.split("'")[1] if text else "none")
 def test_walls_elsewhere_do_not_cut_cells(lab, walls):
     assert summary(lab.run(BED + walls))["core"]["solid_fraction"] == pytest.approx(0.9074, abs=2e-4)
-
-
-# A container of pieces of wall, tight around 5 x 4 discs at rest: all cells but those of the top are closed unit squares.
-SQUARE = "gravity = 1.0\n[contact]\nnormal = { law = 'hooke', stiffness = 1e7, damping = 0.5 }\n[stop]\ntime = 0.02\n" + "".join(
-    f"[[grain]]\nposition = [{x + 0.5}, {y + 0.5}]\n" for y in range(4) for x in range(5))
-TRAY = wall("left", (0, 9), (0, 0)) + wall("floor a", (0, 0), (2, 0)) + wall("floor b", (2, 0), (9, 0)) + wall("right", (5, 0), (5, 9))
 
 
 def cells(out):
@@ -192,24 +175,6 @@ def test_the_lightest_piston_is_stable(lab):
 
 
 # ---- sources
-
-POUR = """[method]
-time_step = 0.001
-[contact]
-normal = { law = "hooke", stiffness = 1e4, damping = 0.5 }
-[base]
-kind = "plane"
-[source]
-kind = "pour"
-count = 30
-rate = 2.0
-height = 20.0
-[stop]
-time = 16.0
-[output]
-series = 0.1
-"""
-
 
 def most_energy(out):
     return datasets(out / "run.h5")["/series/kinetic_energy_per_grain"].max()
