@@ -12,7 +12,7 @@ from repose.errors import RunFolderError
 from repose.hdf5 import Table, attributes_of, check_format, opened
 from repose.summary import read_summary
 
-FORMAT_VERSION = 3
+FORMAT_VERSION = 4
 NEEDED = set("title units dimension time status grain_diameter grain_weight periodic x_min x_max".split())
 
 

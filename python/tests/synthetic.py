@@ -92,7 +92,7 @@ def write_run(
     }
     half = (period or 100.0) / 2.0 * diameter
     header = {
-        "format": "repose-run", "format_version": 3, "title": "A synthetic <heap>", "method": "soft",
+        "format": "repose-run", "format_version": 4, "title": "A synthetic <heap>", "method": "soft",
         "units": "reduced", "dimension": 2, "seed": 1, "time": 120.0, "steps": 120000, "time_step": 1e-3,
         "status": "finished", "message": "at rest", "repose_version": "0.1.0", "gravity": [0.0, -1.0],
         "grain_diameter": diameter, "grain_weight": 1.0, "periodic": int(period is not None),
@@ -112,6 +112,7 @@ def write_run(
         if floor:
             walls = {"point": np.zeros((1, 2)), "normal": np.array([[0.0, 1.0]]), "half_length": np.array([np.inf])}
             walls |= {"name": np.array([b"floor"]), "direction": np.zeros((1, 2)), "opens_at": np.array([np.inf])}
+            walls |= {"rotates": np.zeros(1, dtype=np.uint8), "centre": np.zeros((1, 2))}
             write_group(file.create_group("walls"), walls)
             write_wall_series(file["series"], rows)
             write_energy(file.create_group("energy"), rows)
@@ -144,7 +145,7 @@ def write_wall_series(group, rows):
 
 
 def write_energy(group, rows):
-    names = "kinetic gravitational elastic sources lost walls_work loads_work damping friction walls error".split()
+    names = "kinetic gravitational elastic sources lost walls_work loads_work damping friction walls drag error".split()
     columns = {name: np.linspace(0.0, k, rows) for k, name in enumerate(names)}
     write_group(group, {"time": np.arange(rows, dtype=float), **columns})
 

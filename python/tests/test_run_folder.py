@@ -119,7 +119,7 @@ DAMAGES = {
     cut_short: "cannot be read",
     remove_radius: "radius",
     change_format: "not a run of Repose",
-    change_version: "format_version 1; this package reads 3",
+    change_version: "format_version 1; this package reads 4",
     remove_units: "no attribute units",
     remove_format: "not a run of Repose",
     break_summary: "summary.json: cannot be read",

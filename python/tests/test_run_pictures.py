@@ -15,7 +15,7 @@ from synthetic_analysis import BIN, write_group
 import repose
 from repose import style
 from repose.pictures.run import RUN_PICTURES
-from repose.pictures.run.shapes import wall_points
+from repose.pictures.run.shapes import wall_places
 from repose.pictures.run.stress import LEGEND_VALUE, LONGEST, principal
 
 HEAP = dict(moving=pyramid(12), base=base_row(20))
@@ -256,7 +256,8 @@ def test_moved_wall_is_drawn_at_its_displacement(tmp_path):
     run, figure = drawn(folder, "heap")
     traces = [line for line in figure.axes[0].get_lines() if to_hex(line.get_color()) == style.HELD]
     assert len(traces) == 1
-    assert wall_points(run, run.state).tolist() == [[0.0, -2.0]]
+    points, _ = wall_places(run, run.state)
+    assert points.tolist() == [[0.0, -2.0]]
     run, figure = drawn(folder, "walls")
     force, displacement = figure.axes
     np.testing.assert_allclose(force.get_lines()[0].get_ydata(), -3.0)  # pushed in the direction of its motion

@@ -216,23 +216,6 @@ def drop(out, name):
         del file[name]
 
 
-# Runs of programs that did not write where the walls are: the series of displacements says it.
-def test_a_run_without_the_positions_of_walls_is_analysed_alike(lab):
-    piston = "[[plane]]\nname = 'piston'\npoint = [0, 12]\nnormal = [0, -1]\nmotion = 'force'\nforce = [0, -40]\nmass = 20\nstart = 60\n"
-    sides = "[[plane]]\npoint = [-4, 0]\nnormal = [1, 0]\n[[plane]]\npoint = [4, 0]\nnormal = [-1, 0]\n"
-    out = lab.run(HEAP + sides + piston)
-    before = datasets(out / "analysis.h5")
-    assert datasets(out / "run.h5")["/series/wall_displacement"][-1, -1] > 1.0
-    for name in ("walls/position", "walls/open"):
-        drop(out, name)
-    result = lab("analyse", "out", "--quiet")
-    assert result.returncode == 0, result.stderr
-    after = datasets(out / "analysis.h5")
-    assert after.keys() == before.keys() and "/voronoi/vertices" in after
-    for name, values in before.items():
-        np.testing.assert_array_equal(after[name], values, err_msg=name)
-
-
 def shorten(out, name):
     with changed(out / "run.h5") as file:
         values = file[name][()][:-1]

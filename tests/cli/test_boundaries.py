@@ -85,7 +85,7 @@ def test_the_energy_budget_does_not_change_the_run(lab):
     )
     assert {name for name in with_account if name not in without} == {
         f"/energy/{name}" for name in ("time kinetic gravitational elastic sources lost walls_work loads_work damping "
-                                       "friction walls error").split()
+                                       "friction walls drag error").split()
     }
     for name, values in without.items():
         assert name == "/scene" or values.tobytes() == with_account[name].tobytes(), name

@@ -36,7 +36,7 @@ def test_files(heap):
 def test_header(heap):
     with h5py.File(heap / "run.h5") as file:
         has = dict(file.attrs)
-    assert has["format_version"] == 3 and has["dimension"] == 2 and has["seed"] == 1 and has["periodic"] == 0
+    assert has["format_version"] == 4 and has["dimension"] == 2 and has["seed"] == 1 and has["periodic"] == 0
     assert has["grain_diameter"] == 1.0 and has["grain_weight"] == 1.0 and list(has["gravity"]) == [0.0, -1.0]
     assert math.isclose(has["time"], has["steps"] * has["time_step"], rel_tol=1e-12)
     for name, value in (("format", "repose-run"), ("status", "finished"), ("method", "soft"), ("units", "reduced")):

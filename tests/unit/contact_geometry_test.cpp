@@ -49,7 +49,7 @@ TEST(ContactGeometry, WithAWall) {
   std::vector<Wall<2>> walls(2);
   for (auto& wall : walls) wall.normal = {{0.0, 1.0}};
   walls[1].smooth = true;
-  const WallNow<2> now{{{0.0, 0.6}}, {}, true};
+  const WallNow<2> now{.point = {{0.0, 0.6}}, .normal = {{0.0, 1.0}}};
   const auto rough = contact_with_wall(grains, 0, walls, 0, now, Box<2>{});
   EXPECT_EQ(rough.first, 7);
   EXPECT_EQ(rough.second, wall_partner(0));

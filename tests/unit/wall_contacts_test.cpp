@@ -27,12 +27,14 @@ Wall<2> straight_wall(const Vec<2>& from, const Vec<2>& to) {
 /// The walls that act on a disc of radius 0.5, by their numbers.
 std::vector<std::uint32_t> acting_walls(const std::vector<Wall<2>>& walls, const Vec<2>& centre) {
   WallContacts<2> contacts;
+  std::vector<WallNow<2>> now;
+  for (const auto& wall : walls) now.push_back(wall_now(wall, {}, 0.0));
   for (std::uint32_t w = 0; w < walls.size(); ++w) {
     const Vec<2> from_point = centre - walls[w].point;
-    const auto place = above(walls[w], from_point);
+    const auto place = above(walls[w], walls[w].normal, from_point);
     if (place.height < 0.5) contacts.add(w, w, from_point, place);
   }
-  contacts.join(walls, 0.5);
+  contacts.join(walls, now, 0.5);
   std::vector<std::uint32_t> found;
   for (const auto& touch : contacts.all()) {
     if (contacts.acts(touch)) found.push_back(touch.wall);
@@ -115,8 +117,10 @@ TEST(WallContacts, TheNearestPointActs) {
     const auto found = acting_walls(ring, centre);
     ASSERT_EQ(found.size(), 1U) << k;  // outside of a convex ring
     double nearest = 1e9;
-    for (const auto& wall : ring) nearest = std::min(nearest, above(wall, Vec<2>(centre - wall.point)).height);
-    EXPECT_NEAR(above(ring[found[0]], Vec<2>(centre - ring[found[0]].point)).height, nearest, 1e-12);
+    for (const auto& wall : ring)
+      nearest = std::min(nearest, above(wall, wall.normal, Vec<2>(centre - wall.point)).height);
+    const auto& acting = ring[found[0]];
+    EXPECT_NEAR(above(acting, acting.normal, Vec<2>(centre - acting.point)).height, nearest, 1e-12);
   }
 }
 

@@ -27,18 +27,18 @@ Wall<2> segment(double x, double y, double half_length) {
 
 TEST(Wall, NearestPointOfAFiniteWall) {
   const auto wall = segment(0.0, 0.0, 2.0);
-  const auto over = above(wall, {{1.5, 0.7}});
+  const auto over = above(wall, wall.normal, {{1.5, 0.7}});
   EXPECT_DOUBLE_EQ(over.height, 0.7);
   EXPECT_EQ(over.normal, (Vec<2>{{0.0, 1.0}}));
-  const auto under = above(wall, {{-1.5, -0.7}});
+  const auto under = above(wall, wall.normal, {{-1.5, -0.7}});
   EXPECT_DOUBLE_EQ(under.height, 0.7);
   EXPECT_EQ(under.normal, (Vec<2>{{0.0, -1.0}}));
-  const auto beyond = above(wall, {{2.3, 0.4}});
+  const auto beyond = above(wall, wall.normal, {{2.3, 0.4}});
   EXPECT_NEAR(beyond.height, 0.5, 1e-15);
   EXPECT_NEAR(beyond.normal[0], 0.6, 1e-15);
   EXPECT_NEAR(beyond.normal[1], 0.8, 1e-15);
   // An infinite wall has one side.
-  EXPECT_DOUBLE_EQ(above(Wall<2>{.point = {}, .normal = {{0.0, 1.0}}}, {{9.0, -0.3}}).height, -0.3);
+  EXPECT_DOUBLE_EQ(above(Wall<2>{}, {{0.0, 1.0}}, {{9.0, -0.3}}).height, -0.3);
 }
 
 // Grains rest on the face of a finite wall and, exactly balanced, on its end.

@@ -4,34 +4,60 @@
 
 #include "repose/core/box.hpp"
 #include "repose/core/inline.hpp"
+#include "repose/core/reproducible_math.hpp"
 #include "repose/core/vec.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
 namespace repose {
 
-/// The prescribed or forced motion of a wall along one direction. Gravity does not act on walls.
+/// How a wall moves: prescribed, or driven by forces. Gravity does not act on walls.
 template <int D>
 struct WallMotion {
   enum class Kind {
     none,
-    velocity,  ///< a given speed, unaffected by the grains
-    force,     ///< a piston with a mass, driven by a given force and by the contact forces of the grains
-    spring     ///< a piston that is also pulled by a spring, whose far end moves at a given speed
+    velocity,   ///< a given speed along a direction
+    vibration,  ///< a sine along a direction
+    rotation,   ///< a given angular velocity about a centre
+    belt,       ///< the wall stays; its surface runs round it, as a conveyor belt does
+    force,      ///< a piston with a mass, driven by a given force and by the contact forces of the grains
+    spring      ///< a piston that is also pulled by a spring, whose far end moves at a given speed
   };
   Kind kind = Kind::none;
-  Vec<D> direction{};      ///< unit vector
-  double speed = 0.0;      ///< [L/T] speed of the wall, or of the far end of the spring
+  Vec<D> direction{};      ///< unit vector; zero for a rotation and a belt
+  double speed = 0.0;      ///< [L/T] of the wall, the surface of the belt, or the far end of the spring; [1/T] angular
+  double amplitude = 0.0;  ///< [L] of a vibration
+  double frequency = 0.0;  ///< [1/T] angular frequency of a vibration
+  double phase = 0.0;      ///< [rad] of a vibration at its start
+  Vec<D> centre{};         ///< [L] of a rotation
+  Spin<D> axis{};          ///< unit vector about which a rotation turns and a belt runs, counter-clockwise
   double force = 0.0;      ///< [M L/T^2]
   double stiffness = 0.0;  ///< [M/T^2] stiffness of the spring
   double mass = 0.0;       ///< [M]
   double drag = 0.0;       ///< [M/T] force per speed, against the motion
   double start = 0.0;      ///< [T] time at which the motion begins; the wall stands still before it
+  double stop = std::numeric_limits<double>::infinity();  ///< [T] time at which the motion ends
 
   /// Whether contact forces of the grains change the motion.
   bool feels_grains() const { return kind == Kind::force || kind == Kind::spring; }
+  /// Whether velocities of the wall differ from place to place.
+  bool turns() const { return kind == Kind::rotation || kind == Kind::belt; }
+  bool going(double time) const { return kind != Kind::none && time >= start && time < stop; }
+
+  /// The displacement [L] of a vibration.
+  double vibrated(double time) const {
+    const double since = std::clamp(time, start, stop) - start;
+    return amplitude * (reproducible::sin(frequency * since + phase) - reproducible::sin(phase));
+  }
+
+  /// The mean speed over the step that begins at `time` [T], of a motion that the grains do not change.
+  double prescribed_speed(double time, double dt) const {
+    if (kind == Kind::vibration) return (vibrated(time + dt) - vibrated(time)) / dt;
+    return going(time) ? speed : 0.0;
+  }
 };
 
 /// A straight wall. An infinite wall has grains only on the side that its normal points to; a wall of finite length has
@@ -54,41 +80,86 @@ struct Wall {
 
 /// The motion of a wall so far.
 struct WallState {
-  double displacement = 0.0;  ///< [L] along the wall's direction
-  double speed = 0.0;         ///< [L/T] speed half a step before the position
+  double displacement = 0.0;  ///< [L] along the wall's direction; [rad] of a rotation; [L] of the surface of a belt
+  double speed = 0.0;         ///< [L/T] or [1/T], half a step before the position
   double work = 0.0;          ///< [M L^2/T^2] work done on the grains
   double dissipated = 0.0;    ///< [M L^2/T^2] the part of it that dashpots and friction dissipated
 };
 
-/// Advances a wall by one leapfrog step. `kick` [T] is the time over which forces act; `push` [M L/T^2] is the force of
-/// the grains on the wall.
+/// Sets the speed of a wall for the leapfrog step that begins at `time`. `kick` [T] is the time over which forces act;
+/// `push` [M L/T^2] is the force of the grains on the wall.
 template <int D>
-void move_wall(const WallMotion<D>& motion, WallState& state, double time, double kick, double dt, const Vec<D>& push) {
-  if (motion.kind == WallMotion<D>::Kind::none || time < motion.start) return;
-  if (motion.feels_grains()) {
+void kick_wall(const WallMotion<D>& motion, WallState& state, double time, double kick, double dt, const Vec<D>& push) {
+  if (!motion.feels_grains()) {
+    state.speed = motion.prescribed_speed(time, dt);
+  } else if (motion.going(time)) {
     double force = motion.force + dot(push, motion.direction) - motion.drag * state.speed;
     force += motion.stiffness * (motion.speed * (time - motion.start) - state.displacement);
     state.speed += kick * force / motion.mass;
   } else {
-    state.speed = motion.speed;
+    state.speed = 0.0;
   }
-  state.displacement += state.speed * dt;
+}
+
+/// A vector turned by an angle [rad] about an axis.
+inline Vec<2> rotated(const Vec<2>& a, double axis, double angle) {
+  const double sine = reproducible::sin(axis * angle);
+  const double cosine = reproducible::cos(angle);
+  return {{a[0] * cosine - a[1] * sine, a[1] * cosine + a[0] * sine}};
+}
+inline Vec<3> rotated(const Vec<3>& a, const Vec<3>& axis, double angle) {
+  const double sine = reproducible::sin(angle);
+  const double cosine = reproducible::cos(angle);
+  return a * cosine + cross(axis, a) * sine + axis * (dot(axis, a) * (1.0 - cosine));
 }
 
 /// The position and velocity of a wall at one time.
 template <int D>
 struct WallNow {
   Vec<D> point{};             ///< [L]
-  Vec<D> velocity{};          ///< [L/T]
+  Vec<D> normal{};            ///< unit vector
+  Vec<D> velocity{};          ///< [L/T] of a wall that does not turn
   bool present = true;        ///< false once the wall has opened
   double inverse_mass = 0.0;  ///< [1/M] along its direction of motion; 0 where contacts do not change the motion
+  Spin<D> spin{};             ///< [1/T] angular velocity of a rotation
+  Vec<D> arm{};               ///< [L] from the centre of the rotation to the point
+  Spin<D> belt{};             ///< [L/T] axis of a belt times its speed
+
+  bool turns() const { return spin != Spin<D>{} || belt != Spin<D>{}; }
+  /// The velocity [L/T] of the surface where it touches, beyond `velocity`. `nearest` [L] is the place relative to the
+  /// point of the wall, `facing` the unit vector from it to the grain.
+  Vec<D> surface_velocity(const Vec<D>& nearest, const Vec<D>& facing) const {
+    const Vec<D> from_centre = arm + nearest;
+    return in_space(spin_cross(spin, from_centre), from_centre) + in_space(spin_cross(belt, facing), facing);
+  }
 };
 
 template <int D>
 WallNow<D> wall_now(const Wall<D>& wall, const WallState& state, double time) {
-  const bool yields = wall.motion.feels_grains() && time >= wall.motion.start;
-  return {wall.point + wall.motion.direction * state.displacement, wall.motion.direction * state.speed,
-          time < wall.opens_at, yields ? 1.0 / wall.motion.mass : 0.0};
+  const auto& motion = wall.motion;
+  WallNow<D> now;
+  now.point = wall.point + motion.direction * state.displacement;
+  now.normal = wall.normal;
+  now.velocity = motion.direction * state.speed;
+  now.present = time < wall.opens_at;
+  now.inverse_mass = motion.feels_grains() && motion.going(time) ? 1.0 / motion.mass : 0.0;
+  if (motion.kind == WallMotion<D>::Kind::rotation) {
+    now.spin = motion.axis * state.speed;
+    now.arm = rotated(Vec<D>(wall.point - motion.centre), motion.axis, state.displacement);
+    now.point = motion.centre + now.arm;
+    now.normal = rotated(wall.normal, motion.axis, state.displacement);
+  } else if (motion.kind == WallMotion<D>::Kind::belt) {
+    now.belt = motion.axis * -state.speed;
+  }
+  return now;
+}
+
+/// The largest displacement [L] of any point of a wall whose state changes by `change` [L] or [rad].
+template <int D>
+double farthest_moved(const Wall<D>& wall, double change) {
+  if (wall.motion.kind == WallMotion<D>::Kind::belt) return 0.0;
+  if (wall.motion.kind != WallMotion<D>::Kind::rotation) return std::fabs(change);
+  return std::fabs(change) * (magnitude(Vec<D>(wall.point - wall.motion.centre)) + wall.half_length);
 }
 
 /// The shortest line from a wall to the centre of a grain.
@@ -98,15 +169,15 @@ struct AboveWall {
   Vec<D> normal;  ///< unit vector from the wall to the centre
 };
 
-/// The shortest line to a centre that lies at `from_point` [L] relative to the wall's point.
+/// The shortest line to a centre that lies at `from_point` [L] relative to the wall's point, for a wall whose normal is
+/// `normal` now.
 template <int D>
-REPOSE_FN AboveWall<D> above(const Wall<D>& wall, const Vec<D>& from_point) {
-  const double height = dot(from_point, wall.normal);
-  if (!wall.finite()) return {height, wall.normal};
-  const Vec<D> along = from_point - wall.normal * height;
+REPOSE_FN AboveWall<D> above(const Wall<D>& wall, const Vec<D>& normal, const Vec<D>& from_point) {
+  const double height = dot(from_point, normal);
+  if (!wall.finite()) return {height, normal};
+  const Vec<D> along = from_point - normal * height;
   const double reach = magnitude(along);
-  if (reach <= wall.half_length)
-    return height < 0.0 ? AboveWall<D>{-height, -wall.normal} : AboveWall<D>{height, wall.normal};
+  if (reach <= wall.half_length) return height < 0.0 ? AboveWall<D>{-height, -normal} : AboveWall<D>{height, normal};
   const Vec<D> from_end = from_point - along * (wall.half_length / reach);
   const double distance = magnitude(from_end);
   return {distance, from_end * (1.0 / std::max(distance, std::numeric_limits<double>::min()))};
@@ -114,9 +185,9 @@ REPOSE_FN AboveWall<D> above(const Wall<D>& wall, const Vec<D>& from_point) {
 
 /// Whether the nearest point of a wall, to a centre at `from_point` [L] relative to the wall's point, is its end.
 template <int D>
-REPOSE_FN bool beyond_end(const Wall<D>& wall, const Vec<D>& from_point) {
+REPOSE_FN bool beyond_end(const Wall<D>& wall, const Vec<D>& normal, const Vec<D>& from_point) {
   if (!wall.finite()) return false;
-  return magnitude(from_point - wall.normal * dot(from_point, wall.normal)) > wall.half_length;
+  return magnitude(from_point - normal * dot(from_point, normal)) > wall.half_length;
 }
 
 /// How deep [L] a wall presses into a grain; negative: the gap between them.

@@ -22,7 +22,14 @@ struct WallTouch {
   std::uint32_t acts = 0;  ///< place in the list of the touch that acts for this one; its own if it acts itself
 
   Vec<D> nearest() const { return place.normal * -place.height; }  ///< [L] point of the wall, from the centre
+  Vec<D> on_wall() const { return from_point + nearest(); }        ///< [L] the same, from the wall's point
 };
+
+/// The velocity [L/T] of a wall that turns, where it touches, beyond that of its point; 0 for others.
+template <int D>
+Vec<D> surface_velocity(const WallNow<D>& now, const WallTouch<D>& touch) {
+  return now.turns() ? now.surface_velocity(touch.on_wall(), touch.place.normal) : Vec<D>{};
+}
 
 /// The walls in reach of one grain, of which those that meet act as one surface.
 ///
@@ -43,8 +50,8 @@ class WallContacts {
   const WallTouch<D>& acting_for(const WallTouch<D>& touch) const { return touches_[touch.acts]; }
   bool acts(const WallTouch<D>& touch) const { return &acting_for(touch) == &touch; }
 
-  /// Finds which touches act.
-  void join(const std::vector<Wall<D>>& walls, double radius) {
+  /// Finds which touches act, of walls that stand as `now` says.
+  void join(const std::vector<Wall<D>>& walls, const std::vector<WallNow<D>>& now, double radius) {
     if (touches_.size() < 2) return;
     const auto finite = [&](const auto& touch) { return walls[touch.wall].finite(); };
     if (std::none_of(touches_.begin(), touches_.end(), finite)) return;
@@ -52,8 +59,8 @@ class WallContacts {
     for (std::uint32_t k = 0; k < touches_.size(); ++k) order_.push_back(k);
     // Faces before ends, then the nearest first: whatever acts for another touch comes before it.
     const auto earlier = [&](std::uint32_t a, std::uint32_t b) {
-      const bool end_a = at_end(touches_[a], walls);
-      const bool end_b = at_end(touches_[b], walls);
+      const bool end_a = at_end(touches_[a], walls, now);
+      const bool end_b = at_end(touches_[b], walls, now);
       if (end_a != end_b) return end_b;
       if (touches_[a].place.height != touches_[b].place.height) {
         return touches_[a].place.height < touches_[b].place.height;
@@ -64,7 +71,7 @@ class WallContacts {
     acting_.clear();
     for (const auto k : order_) {
       const auto found = std::find_if(acting_.begin(), acting_.end(), [&](auto other) {
-        return one_surface(touches_[k], touches_[other], walls, radius);
+        return one_surface(touches_[k], touches_[other], walls, now, radius);
       });
       if (found == acting_.end()) {
         acting_.push_back(k);
@@ -72,7 +79,8 @@ class WallContacts {
       }
       const auto other = *found;
       const double apart = magnitude(touches_[k].nearest() - touches_[other].nearest());
-      const bool equal = at_end(touches_[k], walls) == at_end(touches_[other], walls) && apart <= same_point * radius;
+      const bool same_kind = at_end(touches_[k], walls, now) == at_end(touches_[other], walls, now);
+      const bool equal = same_kind && apart <= same_point * radius;
       const auto last = equal ? std::max(k, other) : other;
       *found = last;
       for (auto& touch : touches_) {
@@ -90,21 +98,21 @@ class WallContacts {
   static constexpr double same_face = 0.06;       ///< nearest points this close, if the normals agree; > tan(3 deg)
   static constexpr double same_normal = 0.99863;  ///< cos(3 deg)
 
-  static bool at_end(const WallTouch<D>& touch, const std::vector<Wall<D>>& walls) {
-    return beyond_end(walls[touch.wall], touch.from_point);
+  static bool at_end(const WallTouch<D>& touch, const std::vector<Wall<D>>& walls, const std::vector<WallNow<D>>& now) {
+    return beyond_end(walls[touch.wall], now[touch.wall].normal, touch.from_point);
   }
 
   static bool one_surface(const WallTouch<D>& touch, const WallTouch<D>& other, const std::vector<Wall<D>>& walls,
-                          double radius) {
+                          const std::vector<WallNow<D>>& now, double radius) {
     const auto& wall = walls[touch.wall];
     const auto& other_wall = walls[other.wall];
     if ((!wall.finite() && !other_wall.finite()) || wall.smooth != other_wall.smooth) return false;
-    if (at_end(touch, walls)) {
-      const double off_wall = above(other_wall, other.from_point + touch.nearest()).height;
+    if (at_end(touch, walls, now)) {
+      const double off_wall = above(other_wall, now[other.wall].normal, other.from_point + touch.nearest()).height;
       return other.place.height <= touch.place.height + same_distance * radius &&
              std::fabs(off_wall) <= meeting * radius;
     }
-    return !at_end(other, walls) && dot(touch.place.normal, other.place.normal) > same_normal &&
+    return !at_end(other, walls, now) && dot(touch.place.normal, other.place.normal) > same_normal &&
            magnitude(touch.nearest() - other.nearest()) <= same_face * radius;
   }
 

@@ -16,9 +16,10 @@ struct Energy {
   double damping = 0.0;        ///< dissipated by dashpots between grains
   double friction = 0.0;       ///< work of friction and rolling resistance between grains, minus the stored part
   double walls = 0.0;          ///< dissipated at walls by dashpot and friction, minus the stored part
+  double drag = 0.0;           ///< dissipated by global damping
 
   double put_in() const { return sources + walls_work + loads_work; }
-  double dissipated() const { return damping + friction + walls; }
+  double dissipated() const { return damping + friction + walls + drag; }
   /// Energy present, dissipated and lost, minus the energy put in: 0 except for the integration error.
   double error() const { return kinetic + gravitational + elastic + dissipated() + lost - put_in(); }
 };

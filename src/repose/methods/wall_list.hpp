@@ -24,6 +24,7 @@ struct WallPair {
   Tangent<D> roll{};     ///< [L] rolling displacement, zero while apart
   Vec<D> force{};        ///< [M L/T^2] force on the grain in the last step
   Vec<D> dissipative{};  ///< [M L/T^2] part of it by dashpot and friction; in a full kernel only
+  Vec<D> surface{};      ///< [L/T] velocity of the wall there in the last step, beyond that of its point
   Vec<D> impulse{};      ///< [M L/T] impulse on the grain since it was last collected
 };
 
@@ -76,7 +77,7 @@ class WallList {
         const auto& wall = walls[w];
         const Vec<D> from_point = from_wall(wall, now[w], grain.position, box);
         const double within = (wall.smooth ? 2.0 * cutoff : 2.0 * cutoff - 1.0) * grain.radius;
-        if (above(wall, from_point).height >= within + 0.5 * skin + list.allowance(i)) continue;
+        if (above(wall, now[w].normal, from_point).height >= within + 0.5 * skin + list.allowance(i)) continue;
         of_wall[w].push_back(static_cast<std::uint32_t>(pairs.size()));
         pairs.push_back(old_pair(old_start, old, order[i], w));
       }
@@ -113,10 +114,10 @@ class WallList {
                               std::uint32_t row, std::uint32_t wall) {
     if (row + 1 < start.size()) {
       for (auto k = start[row]; k < start[row + 1]; ++k) {
-        if (old[k].wall == wall) return {wall, old[k].slip, old[k].roll, {}, {}, {}};
+        if (old[k].wall == wall) return {wall, old[k].slip, old[k].roll, {}, {}, {}, {}};
       }
     }
-    return {wall, {}, {}, {}, {}, {}};
+    return {wall, {}, {}, {}, {}, {}, {}};
   }
 
   void gather_impulses(std::size_t walls) {

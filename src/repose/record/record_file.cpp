@@ -51,23 +51,9 @@ Scene read_scene_of(const std::string& folder, const Hdf5Reader& file) {
                   folder));
 }
 
-/// The displacements of the walls in the last row of the series; at the start there is no row.
-std::vector<WallState> last_displacements(const Hdf5Reader& file, std::size_t walls) {
-  std::vector<WallState> states(walls);
-  if (!file.has("series/wall_displacement")) return states;
-  const auto values = file.table<double>("series/wall_displacement", walls);
-  if (values.size() < walls) return states;
-  for (std::size_t w = 0; w < walls; ++w) states[w].displacement = values[values.size() - walls + w];
-  return states;
-}
-
-/// The walls of the scene as a file has them. A file without their positions, which programs before these datasets
-/// wrote, has them where the last row of the series leaves them.
-std::vector<RecordedWall> read_walls(const Hdf5Reader& file, const Scene& scene, double time) {
+/// The walls of the scene as a file has them.
+std::vector<RecordedWall> read_walls(const Hdf5Reader& file, const Scene& scene) {
   const auto count = make_walls(scene).size();
-  if (count > 0 && !file.has("walls/position")) {
-    return recorded_walls(scene, last_displacements(file, count), time);
-  }
   auto walls = recorded_walls(scene, std::vector<WallState>(count), 0.0);
   if (count > 0) read_group(file, wall_group(), walls, count);
   return walls;

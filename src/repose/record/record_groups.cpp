@@ -77,10 +77,14 @@ const Group<std::vector<RecordedWall>>& wall_group() {
       {
           column("name", &RecordedWall::name, "", "\"base\", or that of the scene"),
           column("point", &RecordedWall::start, "L", "a point of the wall at the start, the middle of a finite one"),
-          of_wall("normal", &Wall<2>::normal, "", "unit normal, towards the grains"),
+          of_wall("normal", &Wall<2>::normal, "", "unit normal at the time of the state, towards the grains"),
           column<RecordedWall>(
               "direction", [](auto& row) -> auto& { return row.wall.motion.direction; }, "",
               "unit vector along which the wall moves; 0: it does not"),
+          column<RecordedWall>(
+              "centre", [](auto& row) -> auto& { return row.wall.motion.centre; }, "L",
+              "the point about which it rotates"),
+          column("rotates", &RecordedWall::rotates, "", "1: the wall rotates about `centre`"),
           of_wall("half_length", &Wall<2>::half_length, "L", "half the length; infinite for a plane"),
           of_wall("opens_at", &Wall<2>::opens_at, "T", "from then on grains pass through it; infinite: never"),
           of_wall("position", &Wall<2>::point, "L", "where `point` is at the time of the state"),

@@ -11,7 +11,7 @@
 namespace repose {
 
 inline constexpr auto run_format = "repose-run";
-inline constexpr std::int64_t run_format_version = 3;
+inline constexpr std::int64_t run_format_version = 4;
 
 // What run.h5 holds beside the groups of io/state.hpp: lists that write it, read it and print its reference.
 

@@ -14,6 +14,8 @@ std::vector<RecordedWall> recorded_walls(const Scene& scene, const std::vector<W
   for (std::size_t w = 0; w < walls.size(); ++w) {
     recorded.push_back({names[w], walls[w].point, walls[w], !now[w].present});
     recorded.back().wall.point = now[w].point;
+    recorded.back().wall.normal = now[w].normal;
+    recorded.back().rotates = walls[w].motion.kind == WallMotion<2>::Kind::rotation;
   }
   return recorded;
 }

@@ -14,9 +14,10 @@ namespace repose {
 /// have opened stay in the list.
 struct RecordedWall {
   std::string name;
-  Vec<2> start{};     ///< [L] point of the wall at the start of the run
-  Wall<2> wall;       ///< with its point where it is at that time
-  bool open = false;  ///< grains pass through it
+  Vec<2> start{};        ///< [L] point of the wall at the start of the run
+  Wall<2> wall;          ///< with its point and normal as they are at that time
+  bool open = false;     ///< grains pass through it
+  bool rotates = false;  ///< about the centre of its motion
 };
 
 /// The walls of a scene at some time. `states` has an entry for each, or none where all stand still.

@@ -72,7 +72,7 @@ const Columns<Record>& wall_series_columns() {
   static const Columns<Record> list{
       wall_column(
           "wall_displacement", [](WallRow& row) -> double& { return row.displacement; }, "L",
-          "of each wall along the direction of its motion"),
+          "of each wall along the direction of its motion; of one that rotates, the angle in radians"),
       wall_column(
           "wall_force_x", [](WallRow& row) -> double& { return row.force[0]; }, "M L/T^2",
           "of the grains on each wall, mean since the row before"),
@@ -100,6 +100,7 @@ const Group<std::vector<SeriesRow>>& energy_group() {
           energy_column("damping", &Energy::damping, "dissipated by dashpots between grains"),
           energy_column("friction", &Energy::friction, "dissipated by friction and rolling resistance between grains"),
           energy_column("walls", &Energy::walls, "dissipated at walls"),
+          energy_column("drag", &Energy::drag, "dissipated by global damping"),
           column<SeriesRow>(
               "error", [](const SeriesRow& row) { return row.energy.error(); }, "M L^2/T^2",
               "stored, dissipated and lost, less what was put in"),

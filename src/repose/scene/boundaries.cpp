@@ -83,6 +83,12 @@ void check_piston(const std::string& prefix, const Wall<2>& piston, const Scene&
 
 void check_motion(const std::string& prefix, const SceneWall& wall, std::size_t number, const Scene& scene,
                   Problems& problems) {
+  if (const auto* stop = wall.motion->stop(); stop != nullptr && *stop && **stop <= wall.motion->start()) {
+    if (problems.sound(prefix + "stop") && problems.sound(prefix + "start")) {
+      problems.problem(prefix + "stop",
+                       fmt::format(" = {}: must be after its start = {}", **stop, wall.motion->start()));
+    }
+  }
   if (const auto* direction = wall.motion->direction()) {
     check_direction(prefix + std::string(wall.motion->direction_key()), *direction, problems);
   }
@@ -93,7 +99,7 @@ void check_motion(const std::string& prefix, const SceneWall& wall, std::size_t 
 /// Walls are known by their names in the output.
 void check_names(const Scene& scene, Problems& problems) {
   std::set<std::string> names;
-  const auto check = [&](const std::string& table, const std::vector<SceneWall>& walls) {
+  const auto check = [&](const std::string& table, const auto& walls) {
     for (std::size_t k = 0; k < walls.size(); ++k) {
       if (names.insert(walls[k].name).second) continue;
       problems.problem(fmt::format("{}[{}].name", table, k), fmt::format(" = \"{}\": is used twice", walls[k].name));
@@ -101,6 +107,7 @@ void check_names(const Scene& scene, Problems& problems) {
   };
   check("plane", scene.planes);
   check("wall", scene.pieces);
+  check("drum", scene.drums);
 }
 
 void check_box(const Scene& scene, Problems& problems) {
@@ -136,6 +143,9 @@ void check_planes(const Scene& scene, Problems& problems) {
                        fmt::format(" = [{}, {}]: a plane must be level in a periodic box; a [[wall]] need not be",
                                    normal[0], normal[1]));
     }
+    if (scene.planes[k].motion.as<RotatingWall>() != nullptr && problems.sound(prefix + "motion")) {
+      problems.problem(prefix + "motion", " = \"rotation\": a plane is endless; a [[wall]] can rotate");
+    }
     check_motion(prefix, scene.planes[k], before + k, scene, problems);
   }
 }
@@ -169,6 +179,7 @@ void boundary_keys(Scene& scene, Parameters& keys) {
     entry.vector("to", piece.to, std::nullopt, "L", "the other end");
     wall_keys(piece, {fmt::format("wall {}", k), "\"wall k\""}, scene, entry);
   });
+  drum_keys(scene, keys);
   table_keys(keys, "load", scene.loads, [&](Parameters& entry, SceneLoad& load, std::size_t) {
     entry.vector("force", load.force, std::nullopt, "M L/T^2", "force on one grain");
     entry.integer("grain", load.grain, {.low = -1}, "its id; -1: the moving grain nearest to the position");

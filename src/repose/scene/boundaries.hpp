@@ -3,6 +3,7 @@
 #pragma once
 
 #include "repose/core/parameters.hpp"
+#include "repose/scene/drums.hpp"
 #include "repose/scene/motions.hpp"
 
 #include <array>

@@ -39,6 +39,10 @@ std::vector<Wall<2>> make_walls(const Scene& scene) {
     complete(piece, scene, wall);
     walls.push_back(wall);
   }
+  for (const auto& drum : scene.drums) {
+    const auto of_drum = drum_walls(drum, scene.material_number(drum.material));
+    walls.insert(walls.end(), of_drum.begin(), of_drum.end());
+  }
   return walls;
 }
 
@@ -56,7 +60,7 @@ std::optional<std::size_t> overlapping_wall(const std::vector<Wall<2>>& walls, c
   const double kept_free = 2.0 * radius * (reach - 1.0);
   for (std::size_t w = 0; w < walls.size(); ++w) {
     if (!now[w].present) continue;
-    const auto place = above(walls[w], from_wall(walls[w], now[w], centre, box));
+    const auto place = above(walls[w], now[w].normal, from_wall(walls[w], now[w], centre, box));
     if (wall_overlap(walls[w], place, radius) + kept_free > 0.0) return w;
   }
   return std::nullopt;
@@ -86,6 +90,10 @@ std::vector<std::string> wall_names(const Scene& scene) {
   if (scene.base->wall(scene)) names.emplace_back("base");
   for (const auto& wall : scene.planes) names.push_back(wall.name);
   for (const auto& wall : scene.pieces) names.push_back(wall.name);
+  for (const auto& drum : scene.drums) {
+    const auto of_drum = drum_wall_names(drum);
+    names.insert(names.end(), of_drum.begin(), of_drum.end());
+  }
   return names;
 }
 

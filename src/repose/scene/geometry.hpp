@@ -14,7 +14,7 @@
 
 namespace repose {
 
-/// The walls of the scene at the start: a base plane first, then planes, then segments.
+/// The walls of the scene at the start: a base plane first, then planes, walls and drums.
 std::vector<Wall<2>> make_walls(const Scene& scene);
 
 /// The walls at a time [T]. `states` has an entry for each, or none where all stand still.

@@ -47,6 +47,7 @@ struct Scene {
   Region box;
   std::vector<Wall> planes;  ///< endless walls
   std::vector<Wall> pieces;  ///< walls from one point to another
+  std::vector<SceneDrum> drums;
   std::vector<Load> loads;
 
   StartFrom start;

@@ -45,7 +45,7 @@ void check_places(const Scene& scene, Problems& problems) {
                         double allowed) {
     const auto wall = overlapping_wall(walls, now, box, place, radius * (1.0 - 2.0 * allowed), 1.0);
     if (!wall) return false;
-    const auto at = above(walls[*wall], from_wall(walls[*wall], now[*wall], place, box));
+    const auto at = above(walls[*wall], now[*wall].normal, from_wall(walls[*wall], now[*wall], place, box));
     problems.problem(key,
                      fmt::format("{}wall \"{}\" presses into it by {:.3g} diameters", what, wall_names(scene)[*wall],
                                  wall_overlap(walls[*wall], at, radius) / (2.0 * radius)));

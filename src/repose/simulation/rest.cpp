@@ -56,7 +56,8 @@ Rest::Rest(const Scene& scene, const TimeSteps& steps) : times_(0.0, steps) {
   window_ = scene.output.window;
   for (const auto& wall : make_walls(scene)) {
     if (std::isfinite(wall.opens_at)) not_before_ = std::max(not_before_, wall.opens_at);
-    if (wall.motion.kind != WallMotion<2>::Kind::none) not_before_ = std::max(not_before_, wall.motion.start);
+    if (wall.motion.kind == WallMotion<2>::Kind::none) continue;
+    not_before_ = std::max(not_before_, std::isfinite(wall.motion.stop) ? wall.motion.stop : wall.motion.start);
   }
 }
 

@@ -9,8 +9,8 @@ from repose import style
 from repose.errors import NotDrawn
 
 STORED = ("gravitational", "kinetic", "elastic")
-SPENT = ("damping", "friction", "walls", "lost")
-LABELS = {"walls": "at walls", "lost": "lost grains"}
+SPENT = ("damping", "friction", "walls", "drag", "lost")
+LABELS = {"walls": "at walls", "drag": "global damping", "lost": "lost grains"}
 
 
 def draw(run, state):

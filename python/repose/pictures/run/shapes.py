@@ -75,10 +75,10 @@ def add_walls(panel, run, state):
     """A line for every wall that exists at the time of the state, where the wall is at that time."""
     if run.walls is None:
         return
-    for wall, point in enumerate(wall_points(run, state)):
+    for wall, (point, normal) in enumerate(zip(*wall_places(run, state))):
         if state.time >= run.walls["opens_at"][wall]:
             continue
-        normal, half_length = run.walls["normal"][wall], run.walls["half_length"][wall]
+        half_length = run.walls["half_length"][wall]
         along = np.array([-normal[1], normal[0]])
         if np.isfinite(half_length):
             ends = np.stack([point - half_length * along, point + half_length * along])
@@ -87,14 +87,28 @@ def add_walls(panel, run, state):
             panel.axes.axline(point, point + along, color=style.HELD, linewidth=1.2, zorder=0.5)
 
 
-def wall_points(run, state):
-    """A point of each wall (W, 2) [L] at the time of the state, displaced as the time series records."""
+def wall_places(run, state):
+    """A point of each wall (W, 2) [L] and its unit normal (W, 2) at the time of the state, as the time series records."""
     points = np.array(run.walls["point"], dtype=float)
-    moved = run.series.get("wall_displacement")
-    if moved is None or not len(moved):
-        return points
+    normals = np.array(run.walls["normal"], dtype=float)
+    series = run.series.get("wall_displacement")
+    if series is None or not len(series):
+        return points, normals
     row = np.searchsorted(run.series["time"], state.time * (1.0 + 1e-12), side="right") - 1
-    return points if row < 0 else points + moved[row][:, None] * run.walls["direction"]
+    moved = series[row] if row >= 0 else np.zeros(len(points))
+    turns = np.asarray(run.walls["rotates"], dtype=bool)
+    if turns.any():
+        centre = run.walls["centre"][turns]
+        points[turns] = centre + _turned(points[turns] - centre, moved[turns])
+        normals[turns] = _turned(normals[turns], (moved - series[-1])[turns])  # they are those of the last row
+    return points + moved[:, None] * run.walls["direction"], normals
+
+
+def _turned(vectors, angles):
+    """Vectors (K, 2), turned counter-clockwise by angles (K) in radians."""
+    sine, cosine = np.sin(angles), np.cos(angles)
+    x, y = vectors.T
+    return np.stack([x * cosine - y * sine, y * cosine + x * sine], axis=1)
 
 
 def centre_lines(run, state):

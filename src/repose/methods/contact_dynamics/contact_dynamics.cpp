@@ -52,7 +52,9 @@ bool ContactDynamics<D>::step(Grains<D>& grains, Team& team) {
   pose(grains, team);
   solve();
   add_reactions(grains);
-  return move(grains);
+  const bool fine = move(grains);
+  contact_dynamics::name_walls(problem_);
+  return fine;
 }
 
 /// Sets up the contact problem of the step.
@@ -91,8 +93,9 @@ void ContactDynamics<D>::refresh_pairs(Grains<D>& grains, Team& team) {
   for (const auto& grain : grains.line) fastest2 = std::max(fastest2, squared(grain.velocity));
   double wall_displacement = 0.0;
   for (std::size_t w = 0; w < walls_at_build_.size(); ++w) {
-    const double so_far = std::fabs(walls_[w].displacement - walls_at_build_[w].displacement);
-    wall_displacement = std::max(wall_displacement, so_far + dt * std::fabs(walls_[w].speed));
+    const auto& wall = settings_.walls[w];
+    const double so_far = farthest_moved(wall, walls_[w].displacement - walls_at_build_[w].displacement);
+    wall_displacement = std::max(wall_displacement, so_far + dt * farthest_moved(wall, walls_[w].speed));
   }
   pairs_.moved(dt * std::sqrt(fastest2) + turned_);
   if (pairs_.may_be_stale() && pairs_.stale(grains, wall_displacement, dt)) build_pairs(grains, team);
@@ -151,9 +154,9 @@ void ContactDynamics<D>::set_free_wall(std::size_t w, double kick) {
   const auto& motion = settings_.walls[w].motion;
   auto& state = walls_[w];
   double inverse_mass = 0.0;
-  if (!motion.feels_grains()) {
-    move_wall(motion, state, time(), kick, 0.0, Vec<D>{});
-  } else if (time() >= motion.start) {
+  if (!motion.feels_grains() || !motion.going(time())) {
+    kick_wall(motion, state, time(), kick, settings_.time_step, Vec<D>{});
+  } else {
     const double end = time() + settings_.time_step - motion.start;
     const double pull = motion.force + motion.stiffness * (motion.speed * end - state.displacement);
     inverse_mass = 1.0 / (motion.mass + kick * (motion.drag + motion.stiffness * settings_.time_step));
@@ -172,6 +175,8 @@ void ContactDynamics<D>::find_contacts(const Grains<D>& grains) {
   }
   forget_impulses(grains);
   const auto walls = walls_now();
+  problem_.surface_of.clear();
+  problem_.wall_direction.resize(settings_.walls.size());
   contact_dynamics::gather<D>({laws_, settings_, walls}, grains, pairs_, before_, problem_, collisions_);
 }
 
@@ -257,9 +262,9 @@ void ContactDynamics<D>::add_reactions(Grains<D>& grains) {
     const Vec<D> impulse = c.normal * both.normal + in_space(both.tangent, c.normal);
     if (problem_.free[c.first].inverse_mass == 0.0) grains.reaction[c.first] += impulse;
     if (c.second >= grains.size()) {
-      const auto w = c.second - grains.size();
+      const auto w = problem_.wall_of(c.second);
       wall_impulses_[w] -= impulse;
-      walls_[w].work += dot(impulse, problem_.bodies[c.second].velocity);
+      walls_[w].work += contact_dynamics::driven_work(c, both, problem_.bodies[c.second]);
     } else if (problem_.free[c.second].inverse_mass == 0.0) {
       grains.reaction[c.second] -= impulse;
     }

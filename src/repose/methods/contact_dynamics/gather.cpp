@@ -63,7 +63,7 @@ class Gathering {
     if (distance2 >= widest * widest) return;
     const double distance = std::sqrt(distance2);
     const Approach<D> approach{d * (1.0 / distance), distance - radii, 2.0 * a.radius * b.radius / radii};
-    if (!meets(approach, i, j)) return;
+    if (!meets(approach, i, problem_.free[j].velocity)) return;
     auto line = begin_line(approach, i, j);
     line.lever = distance / radii;
     line.first_turn = approach.radius / a.radius;
@@ -78,10 +78,12 @@ class Gathering {
       const auto& now = input_.walls[w];
       if (!now.present) continue;
       const auto from_point = from_wall(wall, now, a.position, input_.settings.box);
-      const auto place = above(wall, from_point);
-      if (meets(approach_of_wall(a, wall, place), i, body_of_wall(w))) touching_.add(w, w, from_point, place);
+      const auto place = above(wall, now.normal, from_point);
+      const WallTouch<D> touch{w, w, from_point, place};
+      const auto surface = problem_.free[body_of_wall(w)].velocity + surface_velocity(now, touch);
+      if (meets(approach_of_wall(a, wall, place), i, surface)) touching_.add(w, w, from_point, place);
     }
-    touching_.join(input_.settings.walls, a.radius);
+    touching_.join(input_.settings.walls, input_.walls, a.radius);
     for (const auto& touch : touching_.all()) {
       if (!touching_.acts(touch)) continue;
       const auto& wall = input_.settings.walls[touch.wall];
@@ -89,7 +91,9 @@ class Gathering {
       if (wall.smooth) law.friction = law.dynamic_friction = law.rolling_friction = 0.0;
       const auto approach = approach_of_wall(a, wall, touch.place);
       auto line = begin_line(approach, i, body_of_wall(touch.wall));
-      finish(line, approach, law, problem_.free[line.second]);
+      const auto& now = input_.walls[touch.wall];
+      if (now.turns()) line.second = add_surface(problem_, touch.wall, behind(now, touch, a.radius));
+      finish(line, approach, law, Body<D>(problem_.free[line.second]));
     }
   }
 
@@ -107,14 +111,22 @@ class Gathering {
 
   static Body<D> as_body(const Grain<D>& grain) { return {grain.velocity, grain.rim_velocity, grain.inverse_mass}; }
 
-  double closing_distance(const Approach<D>& approach, std::uint32_t i, std::uint32_t j) const {
-    const Vec<D> relative = problem_.free[j].velocity - problem_.free[i].velocity;
+  /// The body of a grain of this radius that would touch a wall from behind and turn with it.
+  static Body<D> behind(const WallNow<D>& now, const WallTouch<D>& touch, double radius) {
+    const Spin<D> rim = now.spin * radius;
+    const Vec<D> turning = in_space(spin_cross(rim, touch.place.normal), touch.place.normal);
+    return {now.velocity + surface_velocity(now, touch) - turning, rim, 0.0};
+  }
+
+  double closing_distance(const Approach<D>& approach, std::uint32_t i, const Vec<D>& other) const {
+    const Vec<D> relative = other - problem_.free[i].velocity;
     return dot(relative, approach.normal) * input_.settings.time_step;
   }
 
-  bool meets(const Approach<D>& approach, std::uint32_t i, std::uint32_t j) const {
+  /// `other` [L/T] is the velocity of the other body.
+  bool meets(const Approach<D>& approach, std::uint32_t i, const Vec<D>& other) const {
     const double margin = std::max(margin_of_radius * approach.radius, fall_);
-    return approach.gap - std::max(0.0, closing_distance(approach, i, j)) < margin;
+    return approach.gap - std::max(0.0, closing_distance(approach, i, other)) < margin;
   }
 
   ContactLine<D> begin_line(const Approach<D>& approach, std::uint32_t i, std::uint32_t j) {
@@ -143,7 +155,8 @@ class Gathering {
     const auto place = static_cast<std::uint32_t>(problem_.contacts.size());
     const bool rebounds = law.restitution > 0.0 || law.tangential_restitution != 0.0;
     const double opening = opening_velocity(line, first, other);
-    if (rebounds && opening < -slow_ && closing_distance(approach, line.first, line.second) >= approach.gap) {
+    if (rebounds && opening < -slow_ &&
+        closing_distance(approach, line.first, problem_.free[line.second].velocity) >= approach.gap) {
       collisions_.closing.push_back({place, approach.gap, law.restitution, law.tangential_restitution});
     } else if (rebounds && opening > 0.0) {
       collisions_.opening.push_back({place, law.restitution});

@@ -142,6 +142,15 @@ struct WithPistons {
   }
 };
 
+/// The work [M L^2/T^2] that an impulse does on the first body because the second moves, which impulses do not change.
+template <int D>
+double driven_work(const ContactLine<D>& c, const Impulse<D>& impulse, const Body<D>& driver) {
+  const Vec<D> surface =
+      driver.velocity + in_space(spin_cross(Spin<D>(driver.rim_velocity * c.lever), c.normal), c.normal);
+  const Vec<D> push = c.normal * impulse.normal + in_space(impulse.tangent, c.normal);
+  return dot(push, surface) + inner(impulse.roll, driver.rim_velocity) * (2.0 - c.first_turn);
+}
+
 /// Sets the masses of a contact from its levers and the masses of the bodies.
 template <int D>
 void set_masses(ContactLine<D>& c, double first_inverse_mass, double second_inverse_mass) {
@@ -177,9 +186,44 @@ struct Problem {
   std::size_t first_wall = std::numeric_limits<std::size_t>::max();  ///< bodies from this index on are walls
   bool pistons = false;                                              ///< whether contacts move any wall
   std::vector<Vec<D>> wall_direction;                                ///< unit vector along which each wall moves
+  std::vector<std::uint32_t> surface_of{};  ///< walls of the bodies after those of the walls: surfaces that turn
+
+  /// The wall of a body from `first_wall` on. A wall that turns has other velocities wherever it touches, so each of
+  /// its contacts has a body of its own.
+  std::size_t wall_of(std::size_t body) const {
+    const auto walls = wall_direction.size() - surface_of.size();
+    const auto w = body - first_wall;
+    return w < walls ? w : surface_of[w - walls];
+  }
 
   WithPistons<D> with_pistons() const { return {first_wall, wall_direction.data()}; }
 };
+
+/// Gives a contact with a wall that turns a body of its own, which moves as the wall does where it touches. `mirrored`
+/// is the body of a grain that would touch there from behind and turn with the wall.
+template <int D>
+std::uint32_t add_surface(Problem<D>& problem, std::uint32_t wall, const Body<D>& mirrored) {
+  problem.surface_of.push_back(wall);
+  problem.wall_direction.emplace_back();
+  problem.free.push_back(mirrored);
+  return static_cast<std::uint32_t>(problem.free.size() - 1);
+}
+
+/// Replaces the surfaces of walls that turn by their walls in all contacts, and removes their bodies.
+template <int D>
+void name_walls(Problem<D>& problem) {
+  if (problem.surface_of.empty()) return;
+  for (auto& c : problem.contacts) {
+    if (c.second >= problem.first_wall) {
+      c.second = static_cast<std::uint32_t>(problem.first_wall + problem.wall_of(c.second));
+    }
+  }
+  const auto kept = problem.free.size() - problem.surface_of.size();
+  problem.free.resize(kept);
+  problem.bodies.resize(kept);
+  problem.wall_direction.resize(problem.wall_direction.size() - problem.surface_of.size());
+  problem.surface_of.clear();
+}
 
 /// Sets the velocities of the bodies from the free velocities and the impulses alone.
 template <int D>

@@ -82,11 +82,10 @@ std::vector<Gain> gains_of(const Problem<D>& problem, const Clusters& clusters, 
   for (std::size_t k = 0; k < problem.contacts.size(); ++k) {
     const auto& c = problem.contacts[k];
     const auto& wall = problem.free[c.second];
-    if (wall.inverse_mass > 0.0 || repose::squared(wall.velocity) == 0.0) continue;
+    const bool stands = repose::squared(wall.velocity) == 0.0 && repose::squared(wall.rim_velocity) == 0.0;
+    if (wall.inverse_mass > 0.0 || stands) continue;
     auto& gain = all[clusters.of(k)];
-    const auto work = [&](const Impulse<D>& p) {
-      return dot(Vec<D>(c.normal * p.normal + in_space(p.tangent, c.normal)), wall.velocity);
-    };
+    const auto work = [&](const Impulse<D>& p) { return driven_work(c, p, wall); };
     gain.constant -= work(base[k]);
     gain.linear -= work(end[k]) - work(base[k]);
     gain.before += std::fabs(work(end[k]));

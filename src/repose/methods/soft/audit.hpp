@@ -19,12 +19,14 @@ struct GrainWork {
   double damping = 0.0;
   double friction = 0.0;
   double walls = 0.0;
+  double drag = 0.0;
 };
 
 inline void add(Energy& account, const GrainWork& work) {
   account.damping += work.damping;
   account.friction += work.friction;
   account.walls += work.walls;
+  account.drag += work.drag;
 }
 
 /// Adds the kinetic and gravitational energy of a grain at the time of its velocity, which is `back` [T] before its

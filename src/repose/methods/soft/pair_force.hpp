@@ -103,19 +103,20 @@ REPOSE_FN double wall_distance(const Grain<D>& a, const Wall<D>& wall, const Abo
 
 /// The geometry of a grain and a wall in reach, of which `place` is the shortest line to the centre. The wall counts as
 /// a grain of the same size and nominal mass; contacts move it along its direction of motion only, and only a piston.
+/// `surface` [L/T] is the velocity of a wall that turns, where it touches.
 template <int D, class Law>
 REPOSE_FN PairGeometry<D> wall_geometry(const Law& law, const Grain<D>& a, const Wall<D>& wall, const WallNow<D>& now,
-                                        const AboveWall<D>& place) {
+                                        const AboveWall<D>& place, const Vec<D>& surface) {
   const double diameter = 2.0 * a.radius;
   const double distance = wall_distance(a, wall, place);
   const double within = reach(law.normal) * diameter;
-  const Vec<D> relative = a.velocity - now.velocity;
+  const Vec<D> relative = a.velocity - now.velocity - surface;
   const Tangent<D> slip = tangential(relative, place.normal) - spin_cross(a.rim_velocity, place.normal);
   const double yielding = now.inverse_mass * squared(dot(wall.motion.direction, place.normal));
   const double reduced_mass = yielding > 0.0 ? a.mass / (1.0 + a.mass * yielding) : a.mass;
   return {make_touch(distance, 1.0 / distance, diameter, within, -dot(relative, place.normal), a.mass, reduced_mass,
                      a.radius),
-          place.normal, slip, rolling_part(a.rim_velocity, place.normal), 1.0};
+          place.normal, slip, rolling_part(a.rim_velocity - now.spin * a.radius, place.normal), 1.0};
 }
 
 /// Finds the walls in reach of a grain of a material among the pairs of its row, and which of them act.
@@ -129,11 +130,11 @@ void find_wall_contacts(const Laws& laws, const Grain<D>& grain, std::uint16_t m
     const auto& wall = walls[w];
     if (!now[w].present) continue;
     const auto from_point = from_wall(wall, now[w], grain.position, box);
-    const auto place = above(wall, from_point);
+    const auto place = above(wall, now[w].normal, from_point);
     const double within = reach(laws.of(material, wall.material).normal) * (2.0 * grain.radius);
     if (wall_distance(grain, wall, place) < within) contacts.add(w, k, from_point, place);
   }
-  contacts.join(walls, grain.radius);
+  contacts.join(walls, now, grain.radius);
 }
 
 /// The forces between a grain and a wall.

@@ -10,6 +10,16 @@
 
 namespace repose {
 
+/// Damping of every moving grain, besides that of its contacts.
+struct GlobalDamping {
+  /// Cundall's: each component of the net force and torque is weaker by this fraction where it speeds the grain up, and
+  /// stronger where it slows it down; >= 0, < 1. Source: Cundall (1987).
+  double local = 0.0;
+  double viscous = 0.0;  ///< [1/T] a force of minus this times mass and velocity, and a torque alike; >= 0
+
+  bool any() const { return local > 0.0 || viscous > 0.0; }
+};
+
 /// The settings of the soft method apart from the laws.
 template <int D>
 struct SoftSettings {
@@ -21,6 +31,7 @@ struct SoftSettings {
   bool audit = false;         ///< keep the energy budget; in a full kernel only
   bool reference = false;     ///< use the general kernel even if a fused one gives the same bits faster
   double skin = 0.3;          ///< [L] skin of the pair list
+  GlobalDamping damping{};    ///< in a full kernel only
 };
 
 }  // namespace repose

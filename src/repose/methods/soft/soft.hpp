@@ -76,7 +76,9 @@ class Soft final : public Method<D> {
             trouble |= space.trouble;
           }
           soft::move_walls(in, mine);
-          for (const auto& wall : mine.walls) fastest2 = std::max(fastest2, squared(wall.speed));
+          for (std::size_t w = 0; w < mine.walls.size(); ++w) {
+            fastest2 = std::max(fastest2, squared(farthest_moved(settings_.walls[w], mine.walls[w].speed)));
+          }
           travelled += settings_.time_step * std::sqrt(fastest2);
           ++done;
         }
@@ -141,16 +143,22 @@ class Soft final : public Method<D> {
   /// The time [T] by which velocities are behind positions: half a step, and 0 at the start.
   double behind() const { return step_ > 0 ? 0.5 * settings_.time_step : 0.0; }
 
-  std::vector<WallNow<D>> walls_now() const {
+  /// The walls with the positions of `back` [T] ago.
+  std::vector<WallNow<D>> walls_now(double back = 0.0) const {
     std::vector<WallNow<D>> all;
-    for (std::size_t w = 0; w < walls_.size(); ++w) all.push_back(wall_now(settings_.walls[w], walls_[w], time()));
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+      auto state = walls_[w];
+      state.displacement -= state.speed * back;
+      all.push_back(wall_now(settings_.walls[w], state, time()));
+    }
     return all;
   }
 
   double furthest_wall() const {
     double furthest = 0.0;
     for (std::size_t w = 0; w < walls_at_build_.size(); ++w) {
-      furthest = std::max(furthest, std::fabs(walls_[w].displacement - walls_at_build_[w].displacement));
+      const double change = walls_[w].displacement - walls_at_build_[w].displacement;
+      furthest = std::max(furthest, farthest_moved(settings_.walls[w], change));
     }
     return furthest;
   }
@@ -290,8 +298,7 @@ void Soft<D, Law, Full>::for_every_contact(const Grains<D>& grains, double back,
     }
   }
   if (!wall_list_.any()) return;
-  auto now = walls_now();
-  for (auto& wall : now) wall.point -= wall.velocity * back;
+  const auto now = walls_now(back);
   WallContacts<D> contacts;
   for (std::size_t i = 0; i < pairs_.rows(); ++i) {
     auto row = wall_list_.row(i);
@@ -303,7 +310,8 @@ void Soft<D, Law, Full>::for_every_contact(const Grains<D>& grains, double back,
       if (!contacts.acts(touch)) continue;
       const auto& wall = settings_.walls[touch.wall];
       const auto& law = laws_.of(grains.material[i], wall.material);
-      const auto pair = soft::wall_geometry(law, grain, wall, now[touch.wall], touch.place);
+      const auto pair =
+          soft::wall_geometry(law, grain, wall, now[touch.wall], touch.place, surface_velocity(now[touch.wall], touch));
       const auto& contact = row[touch.entry];
       ContactHistory<Tangent<D>> history{turned(contact.slip, pair.normal), turned(contact.roll, pair.normal)};
       const auto force = soft::wall_contact(law, wall, pair, back, history);

@@ -4,6 +4,7 @@
 
 #include "repose/laws/material_table.hpp"
 #include "repose/methods/soft/audit.hpp"
+#include "repose/methods/soft/global_damping.hpp"
 #include "repose/methods/soft/partition.hpp"
 #include "repose/methods/soft/settings.hpp"
 #include "repose/methods/wall_list.hpp"
@@ -57,39 +58,50 @@ REPOSE_FN HalfStep<D> kick_of(const SweepInput<D, Law>& in, const Grain<D>& grai
           sum.rim_torque * (per_mass * inverse_inertia_factor<D>)};
 }
 
-/// Moves one grain by leapfrog under its total push. Source: Baxter et al. (1997), (9)-(12).
-template <bool Synchronised, bool Full, int D, class Law>
-REPOSE_FN void kick_and_drift(const SweepInput<D, Law>& in, Grains<D>& grains, std::size_t i,
-                              const Slot<D, Full>& sum) {
+/// Moves one grain by leapfrog under its total push. Returns the mean velocities over the kick: times the force they
+/// are the exact change of its kinetic energy. `change` is that of its velocities. Source: Baxter et al. (1997),
+/// (9)-(12).
+template <bool Synchronised, int D, class Law>
+REPOSE_FN HalfStep<D> drift(const SweepInput<D, Law>& in, Grains<D>& grains, std::size_t i, const HalfStep<D>& change) {
   auto& grain = grains.line[i];
   const double dt = in.settings.time_step;
-  const auto kick = kick_of(in, grain, sum);
   if constexpr (Synchronised) {
     auto& half = grains.half_step[i];
-    half.velocity += kick.velocity;
-    half.rim_velocity += kick.rim_velocity;
+    half.velocity += change.velocity;
+    half.rim_velocity += change.rim_velocity;
     grain.position += half.velocity * dt;
-    grain.velocity = half.velocity + kick.velocity * 0.5;
-    grain.rim_velocity = half.rim_velocity + kick.rim_velocity * 0.5;
+    grain.velocity = half.velocity + change.velocity * 0.5;
+    grain.rim_velocity = half.rim_velocity + change.rim_velocity * 0.5;
+    return {half.velocity - change.velocity * 0.5, half.rim_velocity - change.rim_velocity * 0.5};
   } else {
-    grain.velocity += kick.velocity;
-    grain.rim_velocity += kick.rim_velocity;
+    grain.velocity += change.velocity;
+    grain.rim_velocity += change.rim_velocity;
     grain.position += grain.velocity * dt;
+    return {grain.velocity - change.velocity * 0.5, grain.rim_velocity - change.rim_velocity * 0.5};
   }
 }
 
-/// The mean velocities of a grain over its last kick. Times the force they are the exact change of its kinetic energy.
+/// Lets the total push act on a grain and moves it. Returns the mean velocities over the kick.
 template <bool Synchronised, bool Full, int D, class Law>
-HalfStep<D> mean_over_kick(const SweepInput<D, Law>& in, const Grains<D>& grains, std::size_t i,
-                           const Slot<D, Full>& sum) {
-  const auto& grain = grains.line[i];
-  const auto kick = kick_of(in, grain, sum);
-  if constexpr (Synchronised) {
-    const auto& half = grains.half_step[i];
-    return {half.velocity - kick.velocity * 0.5, half.rim_velocity - kick.rim_velocity * 0.5};
-  } else {
-    return {grain.velocity - kick.velocity * 0.5, grain.rim_velocity - kick.rim_velocity * 0.5};
+REPOSE_FN HalfStep<D> kick_and_drift(const SweepInput<D, Law>& in, Grains<D>& grains, std::size_t i,
+                                     const Slot<D, Full>& sum) {
+  auto& grain = grains.line[i];
+  const auto change = kick_of(in, grain, sum);
+  if constexpr (Full) {
+    if (in.settings.damping.any()) {
+      HalfStep<D> before{grain.velocity, grain.rim_velocity};
+      if constexpr (Synchronised) before = grains.half_step[i];
+      const auto less = damped(in.settings.damping, in.kick, before, change);
+      const auto mean = drift<Synchronised>(in, grains, i, less);
+      if (!in.work.empty()) {
+        const double moved = dot(Vec<D>(change.velocity - less.velocity), mean.velocity);
+        const Spin<D> turned = change.rim_velocity - less.rim_velocity;
+        in.work[i].drag += grain.mass * (moved + inner(turned, mean.rim_velocity) / inverse_inertia_factor<D>);
+      }
+      return mean;
+    }
   }
+  return drift<Synchronised>(in, grains, i, change);
 }
 
 /// The push of the walls on a grain.
@@ -137,7 +149,9 @@ WallPush<D, Full> push_of_walls(const SweepInput<D, Law>& in, const Grains<D>& g
     }
     const auto& wall = walls[contact.wall];
     const auto& law = in.laws.of(grains.material[i], wall.material);
-    const auto pair = wall_geometry(law, grain, wall, mine.walls_now[contact.wall], touch->place);
+    const auto& now = mine.walls_now[contact.wall];
+    contact.surface = surface_velocity(now, *touch);
+    const auto pair = wall_geometry(law, grain, wall, now, touch->place, contact.surface);
     ContactHistory<Tangent<D>> history{turned(contact.slip, pair.normal), turned(contact.roll, pair.normal)};
     const auto force = wall_contact(law, wall, pair, dt, history);
     contact.slip = history.slip;
@@ -156,15 +170,15 @@ WallPush<D, Full> push_of_walls(const SweepInput<D, Law>& in, const Grains<D>& g
   return sum;
 }
 
-/// Moves a grain and adds the work done on it.
+/// Moves a grain and adds the work done on it. Returns its mean velocities over the kick.
 template <bool Synchronised, bool Full, int D, class Law>
-REPOSE_FN void finish_row(const SweepInput<D, Law>& in, Grains<D>& grains, std::size_t i, const Slot<D, Full>& sum,
-                          const WallPush<D, Full>& at_walls) {
-  kick_and_drift<Synchronised>(in, grains, i, sum);
+REPOSE_FN HalfStep<D> finish_row(const SweepInput<D, Law>& in, Grains<D>& grains, std::size_t i,
+                                 const Slot<D, Full>& sum, const WallPush<D, Full>& at_walls) {
+  const auto mean = kick_and_drift<Synchronised>(in, grains, i, sum);
   if constexpr (Full) {
-    if (!in.work.empty())
-      add_work(in.work[i], sum, at_walls, mean_over_kick<Synchronised>(in, grains, i, sum), in.kick);
+    if (!in.work.empty()) add_work(in.work[i], sum, at_walls, mean, in.kick);
   }
+  return mean;
 }
 
 /// Finishes the row of a grain that is fixed, near a wall or loaded.
@@ -186,9 +200,7 @@ void finish_special_row(const SweepInput<D, Law>& in, Grains<D>& grains, std::si
                                [](const LoadedGrain<D>& grain, std::size_t row) { return grain.i < row; });
   const auto first_load = load;
   for (; load != in.loaded.end() && load->i == i; ++load) sum.force += load->force;
-  finish_row<Synchronised>(in, grains, i, sum, at_walls);
-  if (first_load == load) return;
-  const auto velocity = mean_over_kick<Synchronised>(in, grains, i, sum).velocity;
+  const auto velocity = finish_row<Synchronised>(in, grains, i, sum, at_walls).velocity;
   for (auto done = first_load; done != load; ++done) in.load_work[done->load] += dot(done->force, velocity) * in.kick;
 }
 
@@ -204,11 +216,15 @@ void move_walls(const SweepInput<D, Law>& in, Workspace<D, Full>& mine) {
       Vec<D> force{};
       Vec<D> dissipative{};
       for (const auto k : in.walls.of_wall[w]) {
-        force += in.walls.pairs[k].force;
-        dissipative += in.walls.pairs[k].dissipative;
+        const auto& contact = in.walls.pairs[k];
+        force += contact.force;
+        dissipative += contact.dissipative;
+        state.work += dot(contact.force, contact.surface) * in.kick;
+        state.dissipated += dot(contact.dissipative, contact.surface) * in.kick;
       }
       const double before = state.speed;
-      move_wall(wall.motion, state, static_cast<double>(in.step) * dt, in.kick, dt, -force);
+      kick_wall(wall.motion, state, static_cast<double>(in.step) * dt, in.kick, dt, Vec<D>(-force));
+      state.displacement += state.speed * dt;
       const Vec<D> displacement = wall.motion.direction * (0.5 * (before + state.speed) * in.kick);
       state.work += dot(force, displacement);
       state.dissipated += dot(dissipative, displacement);

@@ -63,6 +63,14 @@ std::string SoftMethod::describe(const Scene& scene) const {
   const double ratio = scene.largest_diameter() / scene.smallest_diameter();
   text += fmt::format("velocities       {}{}\n", synchronised(scene) ? "synchronised" : "half-step",
                       velocities == "auto" ? fmt::format(" (auto; size ratio {:.3g})", ratio) : "");
+  if (local_damping > 0.0) {
+    text += fmt::format("global damping   local, {:g}: grains in flight fall at {:g} of gravity\n", local_damping,
+                        1.0 - local_damping);
+  }
+  if (viscous_damping > 0.0) {
+    text += fmt::format("global damping   viscous, {:g}: grains in flight fall no faster than {:.4g}\n",
+                        viscous_damping, scene.gravity / viscous_damping);
+  }
   return text;
 }
 

@@ -14,6 +14,8 @@ struct SoftMethod final : KindOf<SoftMethod, MethodKind> {
   std::optional<double> step;       ///< [T]; none: "auto"
   std::string velocities = "auto";  ///< or "half-step", "synchronised"
   double skin = unset;              ///< [L]
+  double local_damping = 0.0;
+  double viscous_damping = 0.0;  ///< [1/T]
 
   MethodTraits traits() const override { return {.force_laws = true, .keeps_energy = true}; }
   void keys(const Scene& scene, Parameters& keys) override {
@@ -24,6 +26,11 @@ struct SoftMethod final : KindOf<SoftMethod, MethodKind> {
         "velocities in forces: of the half step, or predicted for the full one (auto: for size ratios above 2)");
     keys.number("method.skin", skin, {0.3 * scene.grains.diameter, "0.3 d"}, positive, "L",
                 "extra reach of the pair list; changes speed, never results beyond rounding");
+    keys.number(
+        "method.local_damping", local_damping, 0.0, fraction, "",
+        "Cundall's: a net force is weaker by this fraction where it speeds a grain up, stronger where it brakes");
+    keys.number("method.viscous_damping", viscous_damping, 0.0, not_negative, "1/T",
+                "a force of minus this times mass and velocity on every grain, and a torque alike");
   }
   void check(const Scene& scene, Problems& problems) const override;
   double automatic_step(const Scene& scene) const override;
