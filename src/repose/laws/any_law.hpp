@@ -37,6 +37,11 @@ REPOSE_FN Tangential tangential_force(const AnyTangential& chosen, const Touch<d
   return std::visit([&](const auto& law) { return tangential_force(law, touch, normal, slip_velocity, dt, slip); },
                     chosen.law);
 }
+template <class Tangential>
+REPOSE_FN Tangential displaced(const AnyTangential& chosen, const Touch<double>& touch, const Tangential& velocity,
+                               double dt, const Tangential& slip) {
+  return std::visit([&](const auto& law) { return displaced(law, touch, velocity, dt, slip); }, chosen.law);
+}
 REPOSE_FN double coulomb_limit(const AnyTangential& chosen, const NormalForce<double>& normal) {
   return std::visit([&](const auto& law) { return coulomb_limit(law, normal); }, chosen.law);
 }
@@ -56,6 +61,12 @@ REPOSE_FN Tangential rolling_force(const AnyRolling& chosen, const Touch<double>
                                    Tangential& roll) {
   return std::visit([&](const auto& law) { return rolling_force(law, touch, normal, roll_velocity, dt, roll); },
                     chosen.law);
+}
+
+template <class Tangential>
+REPOSE_FN Tangential displaced(const AnyRolling& chosen, const Touch<double>& touch, const Tangential& velocity,
+                               double dt, const Tangential& roll) {
+  return std::visit([&](const auto& law) { return displaced(law, touch, velocity, dt, roll); }, chosen.law);
 }
 
 template <class Tangential>
