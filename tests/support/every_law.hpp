@@ -36,7 +36,8 @@ inline std::vector<TangentialLaw> every_tangential_law() {
       {Cumulative{0.5, 1.214}, Linear{0.5, 6e3, 0.1}, Mindlin{0.5, 0.8, 0.1}, Viscous{0.5, 20.0}});
 }
 inline std::vector<RollingLaw> every_rolling_law() {
-  return and_all_others<RollingLaw>({FreeRolling{}, RollingSpring{0.1, 500.0, 0.3}});
+  return and_all_others<RollingLaw>(
+      {FreeRolling{}, RollingSpring{0.1, 500.0, 0.3}, RollingViscous{0.1, 5.0}, RollingConstant{0.1, 0.3}});
 }
 inline std::vector<CohesionLaw> every_cohesion_law() {
   return and_all_others<CohesionLaw>({NoCohesion{}, ConstantCohesion{0.4}});

@@ -8,8 +8,10 @@
 #include "repose/laws/normal/hertz.hpp"
 #include "repose/laws/normal/hooke.hpp"
 #include "repose/laws/pair_law.hpp"
+#include "repose/laws/rolling/constant.hpp"
 #include "repose/laws/rolling/free.hpp"
 #include "repose/laws/rolling/spring.hpp"
+#include "repose/laws/rolling/viscous.hpp"
 #include "repose/laws/tangential/cumulative.hpp"
 #include "repose/laws/tangential/linear.hpp"
 #include "repose/laws/tangential/mindlin.hpp"
@@ -25,7 +27,7 @@ namespace repose {
 /// Every law, by kind. A new law needs its header and one entry here.
 using NormalLaw = std::variant<Continuous, Hooke, Hertz>;
 using TangentialLaw = std::variant<Cumulative, Linear, Mindlin, Viscous, None>;
-using RollingLaw = std::variant<FreeRolling, RollingSpring>;
+using RollingLaw = std::variant<FreeRolling, RollingSpring, RollingViscous, RollingConstant>;
 using CohesionLaw = std::variant<NoCohesion, ConstantCohesion>;
 
 /// The laws of a pair of materials, chosen at run time.

@@ -35,6 +35,16 @@ Response surface_response(const AnyTangential& law, const Touch<double>& touch, 
           -tangential_force(law, touch, normal, speed, 0.0, undisplaced) / speed};
 }
 
+/// The response of rolling resistance, likewise.
+Response rolling_response(const AnyRolling& law, const Touch<double>& touch, const NormalForce<double>& normal) {
+  const double small = 1e-9 * touch.diameter;
+  const double speed = 1e-9;
+  double displaced = small;
+  double undisplaced = 0.0;
+  return {-rolling_force(law, touch, normal, 0.0, 0.0, displaced) / small,
+          -rolling_force(law, touch, normal, speed, 0.0, undisplaced) / speed};
+}
+
 double largest_stable_step(const Response& mode) {
   const double c = mode.dashpot;
   const double k = mode.stiffness;
@@ -68,10 +78,12 @@ double largest_step_of_bed(const ContactLaws& laws, const GrainSize& mover, cons
   const auto touch = make_touch(distance, 1.0 / distance, diameter, reach(normal_law) * diameter, 0.0, pair_mass);
   const auto normal = normal_response(normal_law, touch);
   const auto surface = surface_response({laws.tangential}, touch, normal_force(normal_law, touch));
+  const auto rolling = rolling_response({laws.rolling}, touch, normal_force(normal_law, touch));
   const Response against{neighbours * (normal.stiffness + surface.stiffness) / m,
                          neighbours * (normal.dashpot + surface.dashpot) / m};
   const Response spinning{4.0 * neighbours * surface.stiffness / m, 4.0 * neighbours * surface.dashpot / m};
-  return std::min(largest_stable_step(against), largest_stable_step(spinning));
+  const Response rolling_apart{4.0 * neighbours * rolling.stiffness / m, 4.0 * neighbours * rolling.dashpot / m};
+  return std::min({largest_stable_step(against), largest_stable_step(spinning), largest_stable_step(rolling_apart)});
 }
 
 double least_piston_mass(const ContactLaws& laws, const GrainSize& grain, const PistonLoad& load, double step) {
