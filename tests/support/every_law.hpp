@@ -29,7 +29,8 @@ std::vector<Law> and_all_others(std::vector<Law> laws) {
 
 /// Every law of the registry; those that are named have parameters that try them harder than their defaults.
 inline std::vector<NormalLaw> every_normal_law() {
-  return and_all_others<NormalLaw>({Continuous::make(36, 1.2, 0.5, 1.0), Hooke{2e4, 0.3}, Hertz{1e5, 0.3}});
+  return and_all_others<NormalLaw>(
+      {Continuous::make(36, 1.2, 0.5, 1.0), Hooke{2e4, 0.3}, Hertz{1e5, 0.3}, ElasticHertz{1.5e5, 0.3}});
 }
 inline std::vector<TangentialLaw> every_tangential_law() {
   return and_all_others<TangentialLaw>(

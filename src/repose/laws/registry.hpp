@@ -5,6 +5,7 @@
 #include "repose/laws/cohesion/constant.hpp"
 #include "repose/laws/cohesion/none.hpp"
 #include "repose/laws/normal/continuous.hpp"
+#include "repose/laws/normal/elastic_hertz.hpp"
 #include "repose/laws/normal/hertz.hpp"
 #include "repose/laws/normal/hooke.hpp"
 #include "repose/laws/pair_law.hpp"
@@ -25,7 +26,7 @@
 namespace repose {
 
 /// Every law, by kind. A new law needs its header and one entry here.
-using NormalLaw = std::variant<Continuous, Hooke, Hertz>;
+using NormalLaw = std::variant<Continuous, Hooke, Hertz, ElasticHertz>;
 using TangentialLaw = std::variant<Cumulative, Linear, Mindlin, Viscous, None>;
 using RollingLaw = std::variant<FreeRolling, RollingSpring, RollingViscous, RollingConstant>;
 using CohesionLaw = std::variant<NoCohesion, ConstantCohesion>;

@@ -12,6 +12,12 @@ namespace repose {
 
 namespace {
 
+/// [L] R* of two grains, or of a grain and a flat wall.
+double effective_radius(const GrainSize& mover, const GrainSize& partner) {
+  if (partner.flat) return 0.5 * mover.diameter;
+  return 0.5 * mover.diameter * partner.diameter / (mover.diameter + partner.diameter);
+}
+
 /// The linear response of a contact to a displacement and a velocity.
 struct Response {
   double stiffness;  // [M/T^2]
@@ -58,8 +64,9 @@ StiffestContact stiffest_contact(const ContactLaws& laws, const GrainSize& mover
   const double m = mover.mass;
   const double pair_mass = 2.0 * m * partner.mass / (m + partner.mass);
   const double diameter = 0.5 * (mover.diameter + partner.diameter);
-  const double normal = std::visit(
-      [&](const auto& law) { return stiffness_at(law, pair_mass, diameter, m * gravity * fall); }, laws.normal);
+  const double normal =
+      std::visit([&](const auto& law) { return stiffness_at(law, pair_mass, diameter, m * gravity * fall); },
+                 at_radius(laws.normal, effective_radius(mover, partner)));
   const auto at_surface = [&](const auto& law) { return surface_stiffness(law, normal, m); };
   const double stiffest =
       std::max({normal, std::visit(at_surface, laws.tangential), std::visit(at_surface, laws.rolling)});
@@ -71,7 +78,7 @@ double largest_step_of_bed(const ContactLaws& laws, const GrainSize& mover, cons
   const double m = mover.mass;
   const double pair_mass = 2.0 * m * partner.mass / (m + partner.mass);
   const double diameter = 0.5 * (mover.diameter + partner.diameter);
-  const AnyNormal normal_law{laws.normal};
+  const AnyNormal normal_law{at_radius(laws.normal, effective_radius(mover, partner))};
   const double overlap = static_overlap(normal_law, pair_mass, diameter, force);
   if (!std::isfinite(overlap)) return std::numeric_limits<double>::infinity();
   const double distance = diameter - overlap;
@@ -89,7 +96,7 @@ double largest_step_of_bed(const ContactLaws& laws, const GrainSize& mover, cons
 double least_piston_mass(const ContactLaws& laws, const GrainSize& grain, const PistonLoad& load, double step) {
   const double m = grain.mass;
   const double d = grain.diameter;
-  const AnyNormal normal_law{laws.normal};
+  const AnyNormal normal_law{at_radius(laws.normal, 0.5 * d)};
   const double overlap = static_overlap(normal_law, m, d, load.force);
   if (!std::isfinite(overlap)) return 0.0;
   const double distance = d - overlap;

@@ -15,6 +15,7 @@ struct StiffestContact {
 struct GrainSize {
   double diameter = 1.0;  ///< [L]
   double mass = 1.0;      ///< [M]
+  bool flat = false;      ///< a flat wall, which acts as a grain of this size except that it has no curvature
 };
 
 /// The stiffest contact between grains of these sizes, of which the first moves. `fall` [L] is the greatest height of

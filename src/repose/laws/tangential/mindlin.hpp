@@ -31,8 +31,8 @@ struct Mindlin {
 };
 
 inline void parameters(Mindlin& law, Parameters& to, const LawScales& scales) {
-  to.number("ratio", law.ratio, 0.82, positive, "",
-            "tangential over normal stiffness: 2 (1 - nu) / (2 - nu), nu Poisson's ratio");
+  to.number("ratio", law.ratio, scales.ratio, positive, "",
+            "tangential over normal stiffness: 2 (1 - nu) / (2 - nu), nu Poisson's ratio; follows from poisson_ratio");
   to.number("damping", law.damping, 0.0, not_negative, "", "fraction of critical damping");
   law.friction = scales.friction;
 }

@@ -103,7 +103,8 @@ REPOSE_FN double wall_distance(const Grain<D>& a, const Wall<D>& wall, const Abo
 }
 
 /// The geometry of a grain and a wall in reach, of which `place` is the shortest line to the centre. The wall counts as
-/// a grain of the same size and nominal mass; contacts move it along its direction of motion only, and only a piston.
+/// a grain of the same size and nominal mass, without curvature; contacts move it along its direction of motion only,
+/// and only a piston.
 template <int D, class Law>
 REPOSE_FN PairGeometry<D> wall_geometry(const Law& law, const Grain<D>& a, const Wall<D>& wall, const WallNow<D>& now,
                                         const AboveWall<D>& place) {
@@ -114,9 +115,10 @@ REPOSE_FN PairGeometry<D> wall_geometry(const Law& law, const Grain<D>& a, const
   const Tangent<D> slip = tangential(relative, place.normal) - spin_cross(a.rim_velocity, place.normal);
   const double yielding = now.inverse_mass * squared(dot(wall.motion.direction, place.normal));
   const double reduced_mass = yielding > 0.0 ? a.mass / (1.0 + a.mass * yielding) : a.mass;
-  return {make_touch(distance, 1.0 / distance, diameter, within, -dot(relative, place.normal), a.mass, reduced_mass,
-                     a.radius),
-          place.normal, slip, rolling_part(a.rim_velocity, place.normal), 1.0};
+  auto touch = make_touch(distance, 1.0 / distance, diameter, within, -dot(relative, place.normal), a.mass,
+                          reduced_mass, a.radius);
+  touch.effective_radius = a.radius;
+  return {touch, place.normal, slip, rolling_part(a.rim_velocity, place.normal), 1.0};
 }
 
 /// Finds the walls in reach of a grain of a material among the pairs of its row, and which of them act.
