@@ -29,14 +29,16 @@ std::vector<Law> and_all_others(std::vector<Law> laws) {
 
 /// Every law of the registry; those that are named have parameters that try them harder than their defaults.
 inline std::vector<NormalLaw> every_normal_law() {
-  return and_all_others<NormalLaw>({Continuous::make(36, 1.2, 0.5, 1.0), Hooke{2e4, 0.3}, Hertz{1e5, 0.3}});
+  return and_all_others<NormalLaw>(
+      {Continuous::make(36, 1.2, 0.5, 1.0), Hooke{2e4, 0.3}, Hertz{1e5, 0.3}, ElasticHertz{1.5e5, 0.3}});
 }
 inline std::vector<TangentialLaw> every_tangential_law() {
   return and_all_others<TangentialLaw>(
       {Cumulative{0.5, 1.214}, Linear{0.5, 6e3, 0.1}, Mindlin{0.5, 0.8, 0.1}, Viscous{0.5, 20.0}});
 }
 inline std::vector<RollingLaw> every_rolling_law() {
-  return and_all_others<RollingLaw>({FreeRolling{}, RollingSpring{0.1, 500.0, 0.3}});
+  return and_all_others<RollingLaw>(
+      {FreeRolling{}, RollingSpring{0.1, 500.0, 0.3}, RollingViscous{0.1, 5.0}, RollingConstant{0.1, 0.3}});
 }
 inline std::vector<CohesionLaw> every_cohesion_law() {
   return and_all_others<CohesionLaw>({NoCohesion{}, ConstantCohesion{0.4}});

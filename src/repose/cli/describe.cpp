@@ -4,6 +4,7 @@
 
 #include "repose/laws/impact.hpp"
 #include "repose/results/results.hpp"
+#include "repose/scene/materials.hpp"
 #include "repose/simulation/expectation.hpp"
 #include "repose/simulation/sources/initial.hpp"
 
@@ -97,6 +98,22 @@ std::string describe_force_range(const ForceRange& range) {
   return text;
 }
 
+/// The speed of a sound wave along a chain of nominal grains of the first material, sqrt(k/m) d.
+std::string sound_text(const Scene& scene, const ContactLaws& laws) {
+  if (!(scene.gravity > 0.0)) return "";
+  const AnyNormal law{laws.normal};
+  const double d = scene.grains.diameter;
+  const double m = scene.nominal_mass();
+  const auto speed = [&](double force) {
+    const double distance = d - static_overlap(law, m, d, force);
+    const auto touch = make_touch(distance, 1.0 / distance, d, reach(law) * d, 0.0, m);
+    return std::sqrt(normal_force(law, touch).stiffness / m) * d;
+  };
+  const double weight = scene.grain_weight();
+  return fmt::format("sound            {:.4g} under one grain, {:.4g} under the column{}\n", speed(weight),
+                     speed(scene.expected_column() * weight), scene.units == "SI" ? " [m/s]" : "");
+}
+
 }  // namespace
 
 std::string describe(const Scene& scene) {
@@ -109,6 +126,7 @@ std::string describe(const Scene& scene) {
     text += fmt::format("start            {}: {} moving grains{}{}\n", scene.start.path, scene.start.moving,
                         scene.start.histories ? ", contacts remembered" : "", scene.start.at_rest ? ", from rest" : "");
   }
+  if (scene.method->traits().has_forces()) text += describe_materials(scene);
   text += scene.method->describe(scene);
   if (!scene.method->traits().follows_time) return text;
   text += fmt::format("stop             {}\n", stop_text(scene));
@@ -163,6 +181,7 @@ std::string describe_contacts(const Scene& scene) {
       }
     }
   }
+  text += sound_text(scene, laws.table.front());
   if (const double largest = scene.largest_step_of_bed(); step > largest) {
     warnings += fmt::format(
         "warning          grains of a dense bed under the column may never come to rest at this step; at {:.3g} and "

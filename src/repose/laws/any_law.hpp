@@ -27,6 +27,11 @@ inline double elastic_energy(const AnyNormal& chosen, double mass, double diamet
   return std::visit([&](const auto& law) { return elastic_energy(law, mass, diameter, distance); }, chosen.law);
 }
 
+/// The law of a contact with this effective radius [L]; for the others the law itself.
+inline NormalLaw at_radius(const NormalLaw& law, double effective_radius) {
+  return std::visit([&](const auto& one) -> NormalLaw { return at_radius(one, effective_radius); }, law);
+}
+
 struct AnyTangential {
   TangentialLaw law;
 };
@@ -36,6 +41,11 @@ REPOSE_FN Tangential tangential_force(const AnyTangential& chosen, const Touch<d
                                       Tangential& slip) {
   return std::visit([&](const auto& law) { return tangential_force(law, touch, normal, slip_velocity, dt, slip); },
                     chosen.law);
+}
+template <class Tangential>
+REPOSE_FN Tangential displaced(const AnyTangential& chosen, const Touch<double>& touch, const Tangential& velocity,
+                               double dt, const Tangential& slip) {
+  return std::visit([&](const auto& law) { return displaced(law, touch, velocity, dt, slip); }, chosen.law);
 }
 REPOSE_FN double coulomb_limit(const AnyTangential& chosen, const NormalForce<double>& normal) {
   return std::visit([&](const auto& law) { return coulomb_limit(law, normal); }, chosen.law);
@@ -59,6 +69,12 @@ REPOSE_FN Tangential rolling_force(const AnyRolling& chosen, const Touch<double>
 }
 
 template <class Tangential>
+REPOSE_FN Tangential displaced(const AnyRolling& chosen, const Touch<double>& touch, const Tangential& velocity,
+                               double dt, const Tangential& roll) {
+  return std::visit([&](const auto& law) { return displaced(law, touch, velocity, dt, roll); }, chosen.law);
+}
+
+template <class Tangential>
 double stored_energy(const AnyRolling& chosen, const Touch<double>& touch, const NormalForce<double>& normal,
                      const Tangential& roll) {
   return std::visit([&](const auto& law) { return stored_energy(law, touch, normal, roll); }, chosen.law);
@@ -79,7 +95,8 @@ using AnyPairLaw = PairLaw<AnyNormal, AnyTangential, AnyRolling, AnyCohesion>;
 
 /// Energy [M L^2/T^2] stored by the normal force and the cohesion of a pair in reach.
 inline double elastic_energy(const AnyPairLaw& law, const Touch<double>& touch) {
-  return elastic_energy(law.normal, touch.mass, touch.diameter, touch.distance) + cohesion_energy(law.cohesion, touch);
+  const AnyNormal normal{at_radius(law.normal.law, touch.effective_radius)};
+  return elastic_energy(normal, touch.mass, touch.diameter, touch.distance) + cohesion_energy(law.cohesion, touch);
 }
 
 inline AnyPairLaw any_pair_law(const ContactLaws& laws) {

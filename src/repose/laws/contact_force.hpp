@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/laws/displacement.hpp"
 #include "repose/laws/pair_law.hpp"
 #include "repose/laws/touch.hpp"
 
@@ -33,6 +34,28 @@ REPOSE_FN ContactForce<Tangential> contact_force(const Law& law, const Touch<dou
   ContactForce<Tangential> force{normal_force(law.normal, touch), attraction(law.cohesion, touch), {}, {}};
   force.tangential = tangential_force(law.tangential, touch, force.normal, slip_velocity, dt, history.slip);
   force.rolling = rolling_force(law.rolling, touch, force.normal, roll_velocity, dt, history.roll);
+  return force;
+}
+
+/// The time [T] by which displacements advance before the force. A contact without displacements that was out of reach
+/// a step ago has existed since it entered the reach; half a step instead would be an error of first order.
+template <class Tangential>
+REPOSE_FN double time_before_force(const HalfSteps& times, const Touch<double>& touch,
+                                   const ContactHistory<Tangential>& history) {
+  const bool began = touch.engagement < 2.0 * times.before * touch.closing_speed && history.slip == Tangential{} &&
+                     history.roll == Tangential{};
+  return began ? touch.engagement / touch.closing_speed : times.before;
+}
+
+/// The same from velocities at the time of the force. The history then belongs to the middle between two forces.
+template <class Law, class Tangential>
+REPOSE_FN ContactForce<Tangential> contact_force(const Law& law, const Touch<double>& touch,
+                                                 const Tangential& slip_velocity, const Tangential& roll_velocity,
+                                                 const HalfSteps& times, ContactHistory<Tangential>& history) {
+  const double before = time_before_force(times, touch, history);
+  const auto force = contact_force(law, touch, slip_velocity, roll_velocity, before, history);
+  history.slip = displaced(law.tangential, touch, slip_velocity, times.after, history.slip);
+  history.roll = displaced(law.rolling, touch, roll_velocity, times.after, history.roll);
   return force;
 }
 

@@ -5,11 +5,14 @@
 #include "repose/laws/cohesion/constant.hpp"
 #include "repose/laws/cohesion/none.hpp"
 #include "repose/laws/normal/continuous.hpp"
+#include "repose/laws/normal/elastic_hertz.hpp"
 #include "repose/laws/normal/hertz.hpp"
 #include "repose/laws/normal/hooke.hpp"
 #include "repose/laws/pair_law.hpp"
+#include "repose/laws/rolling/constant.hpp"
 #include "repose/laws/rolling/free.hpp"
 #include "repose/laws/rolling/spring.hpp"
+#include "repose/laws/rolling/viscous.hpp"
 #include "repose/laws/tangential/cumulative.hpp"
 #include "repose/laws/tangential/linear.hpp"
 #include "repose/laws/tangential/mindlin.hpp"
@@ -23,9 +26,9 @@
 namespace repose {
 
 /// Every law, by kind. A new law needs its header and one entry here.
-using NormalLaw = std::variant<Continuous, Hooke, Hertz>;
+using NormalLaw = std::variant<Continuous, Hooke, Hertz, ElasticHertz>;
 using TangentialLaw = std::variant<Cumulative, Linear, Mindlin, Viscous, None>;
-using RollingLaw = std::variant<FreeRolling, RollingSpring>;
+using RollingLaw = std::variant<FreeRolling, RollingSpring, RollingViscous, RollingConstant>;
 using CohesionLaw = std::variant<NoCohesion, ConstantCohesion>;
 
 /// The laws of a pair of materials, chosen at run time.

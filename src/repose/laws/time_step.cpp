@@ -12,6 +12,12 @@ namespace repose {
 
 namespace {
 
+/// [L] R* of two grains, or of a grain and a flat wall.
+double effective_radius(const GrainSize& mover, const GrainSize& partner) {
+  if (partner.flat) return 0.5 * mover.diameter;
+  return 0.5 * mover.diameter * partner.diameter / (mover.diameter + partner.diameter);
+}
+
 /// The linear response of a contact to a displacement and a velocity.
 struct Response {
   double stiffness;  // [M/T^2]
@@ -35,6 +41,16 @@ Response surface_response(const AnyTangential& law, const Touch<double>& touch, 
           -tangential_force(law, touch, normal, speed, 0.0, undisplaced) / speed};
 }
 
+/// The response of rolling resistance, likewise.
+Response rolling_response(const AnyRolling& law, const Touch<double>& touch, const NormalForce<double>& normal) {
+  const double small = 1e-9 * touch.diameter;
+  const double speed = 1e-9;
+  double displaced = small;
+  double undisplaced = 0.0;
+  return {-rolling_force(law, touch, normal, 0.0, 0.0, displaced) / small,
+          -rolling_force(law, touch, normal, speed, 0.0, undisplaced) / speed};
+}
+
 double largest_stable_step(const Response& mode) {
   const double c = mode.dashpot;
   const double k = mode.stiffness;
@@ -48,8 +64,9 @@ StiffestContact stiffest_contact(const ContactLaws& laws, const GrainSize& mover
   const double m = mover.mass;
   const double pair_mass = 2.0 * m * partner.mass / (m + partner.mass);
   const double diameter = 0.5 * (mover.diameter + partner.diameter);
-  const double normal = std::visit(
-      [&](const auto& law) { return stiffness_at(law, pair_mass, diameter, m * gravity * fall); }, laws.normal);
+  const double normal =
+      std::visit([&](const auto& law) { return stiffness_at(law, pair_mass, diameter, m * gravity * fall); },
+                 at_radius(laws.normal, effective_radius(mover, partner)));
   const auto at_surface = [&](const auto& law) { return surface_stiffness(law, normal, m); };
   const double stiffest =
       std::max({normal, std::visit(at_surface, laws.tangential), std::visit(at_surface, laws.rolling)});
@@ -61,23 +78,25 @@ double largest_step_of_bed(const ContactLaws& laws, const GrainSize& mover, cons
   const double m = mover.mass;
   const double pair_mass = 2.0 * m * partner.mass / (m + partner.mass);
   const double diameter = 0.5 * (mover.diameter + partner.diameter);
-  const AnyNormal normal_law{laws.normal};
+  const AnyNormal normal_law{at_radius(laws.normal, effective_radius(mover, partner))};
   const double overlap = static_overlap(normal_law, pair_mass, diameter, force);
   if (!std::isfinite(overlap)) return std::numeric_limits<double>::infinity();
   const double distance = diameter - overlap;
   const auto touch = make_touch(distance, 1.0 / distance, diameter, reach(normal_law) * diameter, 0.0, pair_mass);
   const auto normal = normal_response(normal_law, touch);
   const auto surface = surface_response({laws.tangential}, touch, normal_force(normal_law, touch));
+  const auto rolling = rolling_response({laws.rolling}, touch, normal_force(normal_law, touch));
   const Response against{neighbours * (normal.stiffness + surface.stiffness) / m,
                          neighbours * (normal.dashpot + surface.dashpot) / m};
   const Response spinning{4.0 * neighbours * surface.stiffness / m, 4.0 * neighbours * surface.dashpot / m};
-  return std::min(largest_stable_step(against), largest_stable_step(spinning));
+  const Response rolling_apart{4.0 * neighbours * rolling.stiffness / m, 4.0 * neighbours * rolling.dashpot / m};
+  return std::min({largest_stable_step(against), largest_stable_step(spinning), largest_stable_step(rolling_apart)});
 }
 
 double least_piston_mass(const ContactLaws& laws, const GrainSize& grain, const PistonLoad& load, double step) {
   const double m = grain.mass;
   const double d = grain.diameter;
-  const AnyNormal normal_law{laws.normal};
+  const AnyNormal normal_law{at_radius(laws.normal, 0.5 * d)};
   const double overlap = static_overlap(normal_law, m, d, load.force);
   if (!std::isfinite(overlap)) return 0.0;
   const double distance = d - overlap;

@@ -15,6 +15,7 @@ struct StiffestContact {
 struct GrainSize {
   double diameter = 1.0;  ///< [L]
   double mass = 1.0;      ///< [M]
+  bool flat = false;      ///< a flat wall, which acts as a grain of this size except that it has no curvature
 };
 
 /// The stiffest contact between grains of these sizes, of which the first moves. `fall` [L] is the greatest height of
@@ -24,10 +25,12 @@ StiffestContact stiffest_contact(const ContactLaws& laws, const GrainSize& mover
 
 /// The largest stable step [T] of a grain in a dense bed: the mover has six such partners, each pressed on it with
 /// `force` [M L/T^2]. The dashpots use the velocities of the previous half-step, so a mode with stiffness K and dashpot
-/// C, both divided by its mass, is stable for K dt^2 + 2 C dt < 4. The function considers two modes: neighbours that
-/// move against each other, K = 6 (k_n + k_t) / m, and discs that all spin in the same sense, K = 24 k_t / m (lever R,
-/// inertia m R^2 / 2, both discs of a contact); C likewise. Infinity if the law cannot carry the force.
-/// Validated by tests/unit/laws_test.cpp, tests/cli/test_physics.py (beds below and above the limit).
+/// C, both divided by its mass, is stable for K dt^2 + 2 C dt < 4. The function considers three modes: neighbours that
+/// move against each other, K = 6 (k_n + k_t) / m; discs that all spin in the same sense, K = 24 k_t / m (lever R,
+/// inertia m R^2 / 2, both discs of a contact); neighbours that spin against each other, K = 24 k_r / m, with the
+/// stiffness k_r of rolling resistance. C likewise. Infinity if the law cannot carry the force.
+/// Validated by tests/unit/laws_test.cpp, tests/unit/rolling_test.cpp, tests/cli/test_physics.py (beds below and above
+/// the limit).
 double largest_step_of_bed(const ContactLaws& laws, const GrainSize& mover, const GrainSize& partner, double force);
 
 /// What a piston moves against: its own spring and drag, and a number of grains.

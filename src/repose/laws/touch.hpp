@@ -22,6 +22,7 @@ struct Touch {
   T mass;              ///< [M] 2 m_i m_j / (m_i + m_j) of the nominal masses; for equal grains, the mass of one
   T reduced_mass;      ///< [M] m_i m_j / (m_i + m_j), where a fixed partner has infinite mass
   T roll_radius;       ///< [L] 2 R_i R_j / (R_i + R_j); for equal grains, the radius of one
+  T effective_radius;  ///< [L] R* = R_i R_j / (R_i + R_j) of elastic contacts; the radius of a grain on a flat wall
 };
 
 /// A touch from its independent numbers; `within` [L] is the distance below which the normal law acts. Without the last
@@ -29,8 +30,8 @@ struct Touch {
 template <class T>
 REPOSE_FN Touch<T> make_touch(T distance, T inverse_distance, T diameter, T within, T closing_speed, T mass,
                               T reduced_mass, T roll_radius) {
-  return {distance, inverse_distance, diameter,   diameter - distance, within - distance, closing_speed,
-          mass,     reduced_mass,     roll_radius};
+  return {distance, inverse_distance, diameter,    diameter - distance, within - distance, closing_speed,
+          mass,     reduced_mass,     roll_radius, T(0.5) * roll_radius};
 }
 template <class T>
 REPOSE_FN Touch<T> make_touch(T distance, T inverse_distance, T diameter, T within, T closing_speed, T mass) {

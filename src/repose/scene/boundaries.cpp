@@ -70,7 +70,7 @@ void check_piston(const std::string& prefix, const Wall<2>& piston, const Scene&
   const auto& motion = piston.motion;
   const double step = scene.time_step();
   const double frequency = scene.contact_frequency();
-  const double contact = scene.grains.mass * (frequency * frequency);
+  const double contact = scene.nominal_mass() * (frequency * frequency);
   const double phase = step * std::sqrt((motion.stiffness + contact) / motion.mass);
   const auto least = scene.least_piston(piston);
   const double needed = std::max(least.mass, phase > 1.0 ? motion.mass * phase * phase : 0.0);

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -32,25 +33,56 @@ std::string name_of(const Law& law) {
   return std::visit([](const auto& one) { return std::string(one.name); }, law);
 }
 
-LawScales scales_of(const Scene& scene, double friction) {
+/// The scales for a contact of two materials, given by their numbers.
+LawScales scales_of(const Scene& scene, double friction, std::size_t first, std::size_t second) {
   const double weight = scene.grain_weight();
-  return {scene.gravity, weight > 0.0 ? weight : 1.0, scene.grains.diameter, friction};
+  LawScales scales{scene.gravity, weight > 0.0 ? weight : 1.0, scene.grains.diameter, friction};
+  if (scene.has_moduli()) scales.ratio = stiffness_ratio(scene.elasticity(first), scene.elasticity(second));
+  return scales;
+}
+
+/// Hertz's law takes its stiffness from the moduli of the materials where they have some.
+void choose_hertz(NormalLaw& law, const Scene& scene) {
+  const auto as_given = [](auto to, const auto& from) {
+    to.damping = from.damping;
+    to.attraction = from.attraction;
+    to.damping_kind = from.damping_kind;
+    to.restitution = from.restitution;
+    return to;
+  };
+  if (!scene.has_moduli()) {
+    if (const auto* elastic = std::get_if<ElasticHertz>(&law)) law = as_given(Hertz{.stiffness = unset}, *elastic);
+    return;
+  }
+  if (const auto* plain = std::get_if<Hertz>(&law)) law = as_given(ElasticHertz{}, *plain);
+  if (auto* elastic = std::get_if<ElasticHertz>(&law)) {
+    elastic->modulus = effective_modulus(scene.elasticity(0), scene.elasticity(0));
+  }
 }
 
 /// The keys of one law of a kind: which it is, and its parameters.
-template <class Law>
-void law_keys(const std::string& prefix, Law& law, std::string_view about, const LawScales& scales, Parameters& keys) {
+template <class Law, class Adapt>
+void law_keys(const std::string& prefix, Law& law, std::string_view about, const LawScales& scales, Parameters& keys,
+              const Adapt& adapt) {
   const auto all = all_of<Law>();
   std::vector<std::string> names;
-  for (const auto& one : all) names.push_back(name_of(one));
+  for (const auto& one : all) {
+    if (std::find(names.begin(), names.end(), name_of(one)) == names.end()) names.push_back(name_of(one));
+  }
   const std::vector<Word> words(names.begin(), names.end());
   std::string name = name_of(law);
   keys.choice(prefix + "law", name, std::string_view(names.front()), words, about);
   for (const auto& one : all) {
     if (name_of(one) == name && name != name_of(law)) law = one;
   }
+  adapt(law);
   Prefixed below(prefix, keys);
   std::visit([&](auto& one) { parameters(one, below, scales); }, law);
+}
+
+template <class Law>
+void law_keys(const std::string& prefix, Law& law, std::string_view about, const LawScales& scales, Parameters& keys) {
+  law_keys(prefix, law, about, scales, keys, [](const Law&) {});
 }
 
 /// The law as it is for another pair of materials, with the friction of this one.
@@ -64,12 +96,17 @@ TangentialLaw with_friction(TangentialLaw law, double friction) {
 }
 
 /// The laws of a pair of materials. A kind of law that the pair does not give is as in `like`.
-void force_law_keys(MaterialContact& contact, const MaterialContact* like, const Scene& scene, Parameters& keys) {
-  const auto scales = scales_of(scene, contact.friction);
+void force_law_keys(MaterialContact& contact, const MaterialContact* like, const LawScales& scales, const Scene& scene,
+                    Parameters& keys) {
   const auto own = [&](std::string_view kind) { return like == nullptr || keys.given(kind); };
   if (own("normal")) {
-    law_keys("normal.", contact.normal, "normal force", scales, keys);
-    contact.normal = with_restitution(contact.normal, scene.grains.mass, scene.grains.diameter);
+    law_keys("normal.", contact.normal, "normal force", scales, keys,
+             [&](NormalLaw& law) { choose_hertz(law, scene); });
+    if (std::holds_alternative<ElasticHertz>(contact.normal)) {
+      keys.optional_number("normal.stiffness", contact.second_stiffness, {"", "by the moduli of the materials"}, any,
+                           "", "of materials without moduli");
+    }
+    contact.normal = with_restitution(contact.normal, scene.nominal_mass(), scene.grains.diameter);
   } else {
     contact.normal = like->normal;
   }
@@ -77,6 +114,8 @@ void force_law_keys(MaterialContact& contact, const MaterialContact* like, const
     law_keys("tangential.", contact.tangential, "tangential force", scales, keys);
   } else {
     contact.tangential = with_friction(like->tangential, contact.friction);
+    auto* mindlin = std::get_if<Mindlin>(&contact.tangential);
+    if (mindlin != nullptr && scene.has_moduli()) mindlin->ratio = scales.ratio;
   }
   if (own("rolling")) {
     law_keys("rolling.", contact.rolling, "resistance to rolling", scales, keys);
@@ -147,10 +186,27 @@ void check_impulse(const std::string& prefix, const ImpulseLaw& law, const Scene
   }
 }
 
+bool is_hertz(const NormalLaw& law) {
+  return std::holds_alternative<Hertz>(law) || std::holds_alternative<ElasticHertz>(law);
+}
+
 void check_force_laws(const std::string& prefix, const MaterialContact& contact, const Scene& scene,
                       Problems& problems) {
   if (std::holds_alternative<Continuous>(contact.normal) && scene.gravity == 0.0 && problems.sound("gravity")) {
     problems.problem("gravity", " = 0: the continuous law has its force scale from gravity; use hooke or gravity > 0");
+  }
+  const auto law_key = prefix + "normal.law";
+  if (scene.has_moduli() && !std::holds_alternative<ElasticHertz>(contact.normal) && problems.sound(law_key)) {
+    problems.problem(law_key, fmt::format(" = \"{}\": must be \"hertz\", which alone takes the young_modulus of the "
+                                          "materials",
+                                          name_of(contact.normal)));
+  }
+  if (contact.second_stiffness) {
+    problems.problem(
+        prefix + "normal.stiffness",
+        fmt::format(" = {}: the stiffness follows from the young_modulus of the materials; give one of the "
+                    "two",
+                    *contact.second_stiffness));
   }
   const auto key = prefix + "normal.restitution";
   std::visit(
@@ -159,7 +215,7 @@ void check_force_laws(const std::string& prefix, const MaterialContact& contact,
         problems.problem(key, fmt::format(" = {}: is less than any damping of this law gives", law.restitution));
       },
       contact.normal);
-  if (std::holds_alternative<Mindlin>(contact.tangential) && !std::holds_alternative<Hertz>(contact.normal) &&
+  if (std::holds_alternative<Mindlin>(contact.tangential) && !is_hertz(contact.normal) &&
       problems.sound(prefix + "tangential.law") && problems.sound(prefix + "normal.law")) {
     problems.problem(prefix + "tangential.law", fmt::format(" = \"mindlin\": needs {}normal.law = \"hertz\"", prefix));
   }
@@ -171,17 +227,14 @@ void check_between(const std::string& prefix, const MaterialContact& contact, co
   if (traits.force_laws) check_force_laws(prefix, contact, scene, problems);
 }
 
-void check_names(const std::vector<Material>& materials, Problems& problems) {
-  constexpr std::size_t most = 64;
-  if (materials.size() > most) problems.problem("material", fmt::format(": at most {} materials", most));
-  std::set<std::string> names;
-  for (std::size_t k = 0; k < materials.size(); ++k) {
-    const auto key = fmt::format("material[{}].name", k);
-    const auto& name = materials[k].name;
-    if (name.empty() && problems.sound(key)) problems.problem(key, ": missing: a material needs a name");
-    if (!name.empty() && !names.insert(name).second)
-      problems.problem(key, fmt::format(" = \"{}\": is used twice", name));
-  }
+/// A ratio of stiffnesses that agrees with the materials.
+void check_ratio(const std::string& prefix, const MaterialContact& contact, const LawScales& scales, const Scene& scene,
+                 Problems& problems) {
+  const auto* law = std::get_if<Mindlin>(&contact.tangential);
+  const auto key = prefix + "tangential.ratio";
+  if (law == nullptr || !scene.has_moduli() || law->ratio == scales.ratio || !problems.none()) return;
+  problems.problem(key, fmt::format(" = {}: the poisson_ratio of the materials gives {:.6g}; give one of the two",
+                                    law->ratio, scales.ratio));
 }
 
 /// The parameters of a law, name by name.
@@ -216,7 +269,7 @@ std::string law_text(Law law, const LawScales& scales) {
 }
 
 std::string force_laws_text(const MaterialContact& contact, const Scene& scene) {
-  const auto scales = scales_of(scene, contact.friction);
+  const auto scales = scales_of(scene, contact.friction, 0, 0);
   std::string text = fmt::format("normal law       {}\n", law_text(contact.normal, scales));
   text += fmt::format("tangential law   {}\n", law_text(contact.tangential, scales));
   if (contact.rolling.index() > 0) text += fmt::format("rolling          {}\n", law_text(contact.rolling, scales));
@@ -252,19 +305,23 @@ void material_key(std::string_view key, std::string& material, const Scene& scen
   keys.choice(key, material, {names.front(), "the first material"}, words, "its material, for the laws of the pair");
 }
 
+namespace {
+
+LawScales scales_of(const Scene& scene, const MaterialPair& pair) {
+  return scales_of(scene, pair.contact.friction, scene.material_number(pair.first), scene.material_number(pair.second));
+}
+
+}  // namespace
+
 void contact_keys(Scene& scene, Parameters& keys) {
   const auto traits = scene.method->traits();
+  material_keys(scene, keys);
   Prefixed below("contact.", keys);
   if (traits.impulse_laws) impulse_keys(scene.contact.impulse, usual_impulse(scene), below);
   if (traits.force_laws) {
     below.number("friction", scene.contact.friction, 0.5, not_negative, "", "Coulomb coefficient mu");
-    force_law_keys(scene.contact, nullptr, scene, below);
+    force_law_keys(scene.contact, nullptr, scales_of(scene, scene.contact.friction, 0, 0), scene, below);
   }
-  table_keys(keys, "material", scene.materials, [&](Parameters& entry, Material& material, std::size_t) {
-    entry.text("name", material.name, "", "name of the material; the first one is the default everywhere");
-    entry.number("density", material.density, positive, "",
-                 "relative to that of a grain of grains.mass and grains.diameter");
-  });
   table_keys(keys, "pair", scene.pairs, [&](Parameters& entry, MaterialPair& pair, std::size_t) {
     material_key("first", pair.first, scene, entry);
     material_key("second", pair.second, scene, entry);
@@ -273,18 +330,20 @@ void contact_keys(Scene& scene, Parameters& keys) {
     if (!traits.force_laws) return;
     entry.number("friction", pair.contact.friction, {scene.contact.friction, rule}, not_negative, "",
                  "as contact.friction");
-    force_law_keys(pair.contact, &scene.contact, scene, entry);
+    force_law_keys(pair.contact, &scene.contact, scales_of(scene, pair), scene, entry);
   });
 }
 
 void check_contact(const Scene& scene, Problems& problems) {
+  check_materials(scene, problems);
   check_between("contact.", scene.contact, scene, problems);
-  check_names(scene.materials, problems);
+  check_ratio("contact.", scene.contact, scales_of(scene, scene.contact.friction, 0, 0), scene, problems);
   std::set<std::pair<std::string, std::string>> given;
   for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
     const auto& pair = scene.pairs[k];
     const auto prefix = fmt::format("pair[{}].", k);
     check_between(prefix, pair.contact, scene, problems);
+    check_ratio(prefix, pair.contact, scales_of(scene, pair), scene, problems);
     if (!given.insert(std::minmax(pair.first, pair.second)).second) {
       problems.problem(prefix + "second", fmt::format(" = \"{}\": this pair is given twice", pair.second));
     }

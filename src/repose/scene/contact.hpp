@@ -5,7 +5,9 @@
 #include "repose/core/parameters.hpp"
 #include "repose/laws/impulse_law.hpp"
 #include "repose/laws/registry.hpp"
+#include "repose/scene/materials.hpp"
 
+#include <optional>
 #include <string>
 
 namespace repose {
@@ -20,6 +22,7 @@ struct MaterialContact {
   TangentialLaw tangential;
   RollingLaw rolling;
   CohesionLaw cohesion;
+  std::optional<double> second_stiffness;  ///< a stiffness that is given beside the moduli of the materials: an error
   /// The law of rigid grains, instead of those above.
   ImpulseLaw impulse{.restitution = unset,
                      .tangential_restitution = unset,
@@ -31,11 +34,6 @@ struct MaterialContact {
   ContactLaws laws() const { return {normal, tangential, rolling, cohesion}; }
 };
 
-struct Material {
-  std::string name;
-  double density = 1.0;  ///< over that of a grain of grains.mass and grains.diameter
-};
-
 /// Two materials between which something else acts than [contact] says.
 struct MaterialPair {
   std::string first;
@@ -43,7 +41,7 @@ struct MaterialPair {
   MaterialContact contact;
 };
 
-/// contact.*, [[material]] and [[pair]].
+/// [[material]], contact.* and [[pair]].
 void contact_keys(Scene& scene, Parameters& keys);
 void check_contact(const Scene& scene, Problems& problems);
 

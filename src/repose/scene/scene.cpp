@@ -23,6 +23,12 @@ std::vector<Laws> table_of(const Scene& scene, const Laws& usual, Laws (*of_pair
   return table;
 }
 
+/// Sets what follows from the elastic constants of the two materials.
+void set_moduli(ContactLaws& laws, const Elasticity& a, const Elasticity& b) {
+  if (auto* normal = std::get_if<ElasticHertz>(&laws.normal)) normal->modulus = effective_modulus(a, b);
+  if (auto* tangential = std::get_if<Mindlin>(&laws.tangential)) tangential->ratio = stiffness_ratio(a, b);
+}
+
 }  // namespace
 
 double Scene::smallest_drawn() const {
@@ -69,15 +75,14 @@ std::uint16_t Scene::material_number(const std::string& name) const {
   return static_cast<std::uint16_t>(found == names.end() ? 0 : found - names.begin());
 }
 
-double Scene::mass_of(double diameter, const std::string& material) const {
-  const double density = materials.empty() ? 1.0 : materials[material_number(material)].density;
-  const double size = diameter / grains.diameter;
-  return density * grains.mass * (size * size);
-}
-
 MaterialLaws Scene::material_laws() const {
   const auto of_pair = [](const MaterialContact& between) { return between.laws(); };
-  return {material_names().size(), table_of<ContactLaws>(*this, contact.laws(), of_pair)};
+  const auto count = material_names().size();
+  auto table = table_of<ContactLaws>(*this, contact.laws(), of_pair);
+  for (std::size_t a = 0; a < count && has_moduli(); ++a) {
+    for (std::size_t b = 0; b < count; ++b) set_moduli(table[a * count + b], elasticity(a), elasticity(b));
+  }
+  return {count, std::move(table)};
 }
 
 ImpulseLaws Scene::impulse_laws() const {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/laws/elasticity.hpp"
 #include "repose/scene/base_kind.hpp"
 #include "repose/scene/boundaries.hpp"
 #include "repose/scene/contact.hpp"
@@ -68,8 +69,11 @@ struct Scene {
 
   std::vector<std::string> material_names() const;
   std::uint16_t material_number(const std::string& name) const;
+  bool has_moduli() const;                                             ///< materials have elastic constants
+  Elasticity elasticity(std::size_t material) const;                   ///< of a material with moduli
+  double nominal_mass() const;                                         ///< [M] of a grain of the first material and d
   double mass_of(double diameter, const std::string& material) const;  ///< [M] goes with the square of the diameter
-  double grain_weight() const { return grains.mass * gravity; }
+  double grain_weight() const { return nominal_mass() * gravity; }
   MaterialLaws material_laws() const;  ///< the laws of every two materials
   ImpulseLaws impulse_laws() const;
 

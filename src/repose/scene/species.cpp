@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <optional>
 #include <set>
 
 namespace repose {
@@ -16,8 +18,14 @@ void grain_keys(Scene& scene, Parameters& keys) {
   const bool si = scene.units == "SI";
   keys.number("grains.diameter", grains.diameter, {si ? required : 1.0, "1; must be given in SI"}, positive, "L",
               "d: of the largest grains and of base grains");
-  keys.number("grains.mass", grains.mass, {si ? required : 1.0, "1; must be given in SI"}, positive, "M",
-              "m: of a grain of that diameter");
+  if (si) {
+    auto mass = std::isnan(grains.mass) ? std::optional<double>() : grains.mass;
+    keys.optional_number("grains.mass", mass, {"", "by the density of the first material"}, positive, "M",
+                         "m: of a grain of that diameter, where materials have no density");
+    grains.mass = mass.value_or(unset);
+  } else {
+    keys.number("grains.mass", grains.mass, 1.0, positive, "M", "m: of a grain of that diameter");
+  }
   keys.number("grains.polydispersity", grains.polydispersity, fraction, "", "p: diameters uniform in [(1 - p) d, d]");
   keys.choice("grains.shares", grains.fractions_by, {"number", "mass"},
               "whether species.share is a fraction of the number or of the mass of the grains");
@@ -43,6 +51,7 @@ void check_species(const Scene& scene, Problems& problems) {
         "grains.polydispersity",
         fmt::format(" = {}: must be 0 with [[species]], which have sizes of their own", grains.polydispersity));
   }
+  check_masses(scene, problems);
   std::set<std::string> names;
   for (std::size_t k = 0; k < scene.species.size(); ++k) {
     const auto& species = scene.species[k];

@@ -15,7 +15,7 @@ struct Scene;
 /// The grains of a scene without species, and the grain that masses refer to.
 struct GrainSizes {
   double diameter = unset;              ///< [L] the largest, and that of base grains
-  double mass = unset;                  ///< [M] of a grain of that diameter
+  double mass = unset;                  ///< [M] of a grain of that diameter; unset in SI where densities give it
   double polydispersity = 0.0;          ///< p: sizes uniform in [(1 - p) d, d]
   std::string fractions_by = "number";  ///< fractions of species are by "number" or "mass"
 };

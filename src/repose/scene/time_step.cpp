@@ -16,7 +16,8 @@ namespace repose {
 
 namespace {
 
-/// The contacts between all materials and the sizes at the ends of their range: laws, who moves, and its partner.
+/// The contacts between all materials and the sizes at the ends of their range, and with walls: laws, who moves, and
+/// its partner.
 template <class Use>
 void for_every_contact(const Scene& scene, const Use& use) {
   const auto names = scene.material_names();
@@ -24,6 +25,7 @@ void for_every_contact(const Scene& scene, const Use& use) {
   const auto size = [&](double diameter, const std::string& material) {
     return GrainSize{diameter, scene.mass_of(diameter, material)};
   };
+  const bool walls = !scene.planes.empty() || !scene.pieces.empty() || scene.base->wall(scene);
   const double sizes[] = {scene.smallest_diameter(), scene.grains.diameter, scene.largest_diameter()};
   for (std::size_t a = 0; a < names.size(); ++a) {
     for (std::size_t b = 0; b < names.size(); ++b) {
@@ -31,6 +33,10 @@ void for_every_contact(const Scene& scene, const Use& use) {
         for (const double partner : sizes) {
           use(laws.table[a * names.size() + b], size(mover, names[a]), size(partner, names[b]));
         }
+        if (!walls) continue;
+        auto wall = size(mover, names[a]);
+        wall.flat = true;
+        use(laws.table[a * names.size() + b], size(mover, names[a]), wall);
       }
     }
   }

@@ -15,8 +15,10 @@ namespace repose {
 
 /// Resistance to rolling: an elastic spring builds up a torque as the grains roll on each other, and yields at mu_r R N
 /// (R: roll radius, N: normal force). It is the soft counterpart of rolling friction |S| <= mu_r r R in contact
-/// dynamics (Bratberg 2003, paper one, eq. (6)). Source of the elastic-plastic spring: Luding (2008). Validated by
-/// tests/unit/impact_test.cpp (decay of rolling, rest on a slope) and tests/contract/laws_contract_test.cpp (limit).
+/// dynamics (Bratberg 2003, paper one, eq. (6)). Source of the elastic-plastic spring: Luding (2008); model C of Ai et
+/// al. (2011) has the same spring, and a dashpot that acts below full mobilisation only (docs/physics/soft.md).
+/// Validated by tests/unit/impact_test.cpp (decay of rolling, rest on a slope), tests/unit/rolling_test.cpp (the
+/// dashpot) and tests/contract/laws_contract_test.cpp (limit).
 struct RollingSpring {
   double friction = 0.1;   ///< mu_r >= 0
   double stiffness = 0.0;  ///< [M/T^2] force per rolled length, > 0

@@ -4,6 +4,7 @@
 
 #include "repose/core/parameters.hpp"
 #include "repose/core/vec.hpp"
+#include "repose/laws/displacement.hpp"
 #include "repose/laws/scales.hpp"
 #include "repose/laws/tangential/slider.hpp"
 #include "repose/laws/touch.hpp"
@@ -30,8 +31,8 @@ struct Mindlin {
 };
 
 inline void parameters(Mindlin& law, Parameters& to, const LawScales& scales) {
-  to.number("ratio", law.ratio, 0.82, positive, "",
-            "tangential over normal stiffness: 2 (1 - nu) / (2 - nu), nu Poisson's ratio");
+  to.number("ratio", law.ratio, scales.ratio, positive, "",
+            "tangential over normal stiffness: 2 (1 - nu) / (2 - nu), nu Poisson's ratio; follows from poisson_ratio");
   to.number("damping", law.damping, 0.0, not_negative, "", "fraction of critical damping");
   law.friction = scales.friction;
 }
@@ -52,6 +53,15 @@ REPOSE_FN Tangential tangential_force(const Mindlin& law, const Touch<double>& t
   const double stiffness = law.ratio * normal.stiffness;
   const double dashpot = 2.0 * law.damping * std::sqrt(stiffness * touch.mass);
   return slider_force(stiffness, dashpot, law.friction * positive_part(normal.total), slip_velocity, dt, slip);
+}
+
+/// The slip displacement becomes shorter while the overlap grows, as in `tangential_force`.
+template <class Tangential>
+REPOSE_FN Tangential displaced(const Mindlin&, const Touch<double>& touch, const Tangential& slip_velocity, double dt,
+                               const Tangential& slip) {
+  const Tangential moved = slip + slip_velocity * dt;
+  const double later = touch.overlap + touch.closing_speed * dt;
+  return later > touch.overlap ? moved * std::sqrt(positive_part(touch.overlap) / later) : moved;
 }
 
 REPOSE_FN double coulomb_limit(const Mindlin& law, const NormalForce<double>& normal) {

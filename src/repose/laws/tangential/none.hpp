@@ -4,6 +4,7 @@
 
 #include "repose/core/inline.hpp"
 #include "repose/core/parameters.hpp"
+#include "repose/laws/displacement.hpp"
 #include "repose/laws/scales.hpp"
 #include "repose/laws/touch.hpp"
 
@@ -24,6 +25,12 @@ template <class Tangential>
 REPOSE_FN Tangential tangential_force(const None&, const Touch<double>&, const NormalForce<double>&, const Tangential&,
                                       double, Tangential&) {
   return Tangential{};
+}
+
+template <class Tangential>
+REPOSE_FN Tangential displaced(const None&, const Touch<double>&, const Tangential&, double,
+                               const Tangential& unmoved) {
+  return unmoved;
 }
 
 REPOSE_FN double coulomb_limit(const None&, const NormalForce<double>&) { return 0.0; }

@@ -4,6 +4,7 @@
 
 #include "repose/core/parameters.hpp"
 #include "repose/core/vec.hpp"
+#include "repose/laws/displacement.hpp"
 #include "repose/laws/scales.hpp"
 #include "repose/laws/tangential/limit.hpp"
 #include "repose/laws/touch.hpp"
@@ -37,6 +38,12 @@ template <class Tangential>
 REPOSE_FN Tangential tangential_force(const Viscous& law, const Touch<double>& touch, const NormalForce<double>& normal,
                                       const Tangential& slip_velocity, double, Tangential&) {
   return limited(slip_velocity * (-law.rate * touch.reduced_mass), law.friction * positive_part(normal.total));
+}
+
+template <class Tangential>
+REPOSE_FN Tangential displaced(const Viscous&, const Touch<double>&, const Tangential&, double,
+                               const Tangential& unmoved) {
+  return unmoved;
 }
 
 REPOSE_FN double coulomb_limit(const Viscous& law, const NormalForce<double>& normal) {

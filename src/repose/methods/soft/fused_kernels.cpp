@@ -7,6 +7,7 @@ namespace repose {
 template std::unique_ptr<Method<2>> make_kernel(MaterialTable<HookeLinear>, SoftSettings<2>);
 template std::unique_ptr<Method<2>> make_kernel(MaterialTable<HookeCumulative>, SoftSettings<2>);
 template std::unique_ptr<Method<2>> make_kernel(MaterialTable<HertzMindlin>, SoftSettings<2>);
+template std::unique_ptr<Method<2>> make_kernel(MaterialTable<ElasticHertzMindlin>, SoftSettings<2>);
 template std::unique_ptr<Method<2>> make_kernel(MaterialTable<ContinuousCumulative>, SoftSettings<2>);
 
 }  // namespace repose

@@ -15,6 +15,7 @@ namespace repose {
 using HookeLinear = PairLaw<Hooke, Linear>;
 using HookeCumulative = PairLaw<Hooke, Cumulative>;
 using HertzMindlin = PairLaw<Hertz, Mindlin>;
+using ElasticHertzMindlin = PairLaw<ElasticHertz, Mindlin>;
 using ContinuousCumulative = PairLaw<Continuous, Cumulative>;
 
 /// The soft method, `Soft<D, Law>`, for a law chosen when it is compiled. The library has, in 2D, the kernels of the

@@ -64,10 +64,11 @@ REPOSE_FN void to_push(const PairGeometry<D>& pair, const ContactForce<Tangent<D
   }
 }
 
-/// Computes the push of pair (a, b) on a, and advances the slip displacement by dt; in a full kernel also the rolling
-/// displacement. If the pair is out of reach, returns false and sets the displacements to zero.
-template <bool Periodic, int D, class Law, bool Full>
-REPOSE_FN bool pair_force(const Law& law, const Grain<D>& a, const Grain<D>& b, const Box<D>& box, double dt,
+/// Computes the push of pair (a, b) on a, and advances the slip displacement; in a full kernel also the rolling
+/// displacement. `times` is the step [T], or HalfSteps where velocities are those of the time of the force. If the pair
+/// is out of reach, returns false and sets the displacements to zero.
+template <bool Periodic, int D, class Law, class Times, bool Full>
+REPOSE_FN bool pair_force(const Law& law, const Grain<D>& a, const Grain<D>& b, const Box<D>& box, const Times& times,
                           Tangent<D>& slip, Tangent<D>& roll, Push<D, Full>& push) {
   const Vec<D> d = separation<Periodic>(a.position, b.position, box);
   const double distance2 = dot(d, d);
@@ -80,7 +81,7 @@ REPOSE_FN bool pair_force(const Law& law, const Grain<D>& a, const Grain<D>& b, 
   const auto pair = pair_geometry(a, b, d, distance2, within);
   ContactHistory<Tangent<D>> history{turned(slip, pair.normal), {}};
   if constexpr (Full) history.roll = turned(roll, pair.normal);
-  const auto force = contact_force(law, pair.touch, pair.slip_velocity, pair.roll_velocity, dt, history);
+  const auto force = contact_force(law, pair.touch, pair.slip_velocity, pair.roll_velocity, times, history);
   slip = history.slip;
   if constexpr (Full) roll = history.roll;
   to_push(pair, force, a.radius, b.radius, push);
@@ -88,11 +89,11 @@ REPOSE_FN bool pair_force(const Law& law, const Grain<D>& a, const Grain<D>& b, 
 }
 
 /// The same without resistance to rolling.
-template <bool Periodic, int D, class Law>
-REPOSE_FN bool pair_force(const Law& law, const Grain<D>& a, const Grain<D>& b, const Box<D>& box, double dt,
+template <bool Periodic, int D, class Law, class Times>
+REPOSE_FN bool pair_force(const Law& law, const Grain<D>& a, const Grain<D>& b, const Box<D>& box, const Times& times,
                           Tangent<D>& slip, Push<D>& push) {
   Tangent<D> roll{};
-  return pair_force<Periodic>(law, a, b, box, dt, slip, roll, push);
+  return pair_force<Periodic>(law, a, b, box, times, slip, roll, push);
 }
 
 /// The distance that counts for a law: that of the centres of the grain and of a grain of its size behind the wall.
@@ -102,8 +103,8 @@ REPOSE_FN double wall_distance(const Grain<D>& a, const Wall<D>& wall, const Abo
 }
 
 /// The geometry of a grain and a wall in reach, of which `place` is the shortest line to the centre. The wall counts as
-/// a grain of the same size and nominal mass; contacts move it along its direction of motion only, and only a piston.
-/// `surface` [L/T] is the velocity of a wall that turns, where it touches.
+/// a grain of the same size and nominal mass, without curvature; contacts move it along its direction of motion only,
+/// and only a piston. `surface` [L/T] is the velocity of a wall that turns, where it touches.
 template <int D, class Law>
 REPOSE_FN PairGeometry<D> wall_geometry(const Law& law, const Grain<D>& a, const Wall<D>& wall, const WallNow<D>& now,
                                         const AboveWall<D>& place, const Vec<D>& surface) {
@@ -114,9 +115,10 @@ REPOSE_FN PairGeometry<D> wall_geometry(const Law& law, const Grain<D>& a, const
   const Tangent<D> slip = tangential(relative, place.normal) - spin_cross(a.rim_velocity, place.normal);
   const double yielding = now.inverse_mass * squared(dot(wall.motion.direction, place.normal));
   const double reduced_mass = yielding > 0.0 ? a.mass / (1.0 + a.mass * yielding) : a.mass;
-  return {make_touch(distance, 1.0 / distance, diameter, within, -dot(relative, place.normal), a.mass, reduced_mass,
-                     a.radius),
-          place.normal, slip, rolling_part(a.rim_velocity - now.spin * a.radius, place.normal), 1.0};
+  auto touch = make_touch(distance, 1.0 / distance, diameter, within, -dot(relative, place.normal), a.mass,
+                          reduced_mass, a.radius);
+  touch.effective_radius = a.radius;
+  return {touch, place.normal, slip, rolling_part(a.rim_velocity - now.spin * a.radius, place.normal), 1.0};
 }
 
 /// Finds the walls in reach of a grain of a material among the pairs of its row, and which of them act.
@@ -138,11 +140,11 @@ void find_wall_contacts(const Laws& laws, const Grain<D>& grain, std::uint16_t m
 }
 
 /// The forces between a grain and a wall.
-template <int D, class Law>
+template <int D, class Law, class Times>
 REPOSE_FN ContactForce<Tangent<D>> wall_contact(const Law& law, const Wall<D>& wall, const PairGeometry<D>& pair,
-                                                double dt, ContactHistory<Tangent<D>>& history) {
+                                                const Times& times, ContactHistory<Tangent<D>>& history) {
   if (wall.smooth) return {normal_force(law.normal, pair.touch), 0.0, {}, {}};
-  return contact_force(law, pair.touch, pair.slip_velocity, pair.roll_velocity, dt, history);
+  return contact_force(law, pair.touch, pair.slip_velocity, pair.roll_velocity, times, history);
 }
 
 }  // namespace repose::soft

@@ -43,7 +43,8 @@ std::unique_ptr<Method<D>> make_fused(const MaterialLaws& laws, const SoftSettin
 template <int D>
 std::unique_ptr<Method<D>> make_soft(const MaterialLaws& laws, const SoftSettings<D>& settings) {
   if (!settings.audit && !settings.reference && !settings.damping.any()) {
-    auto made = make_fused<D, HookeLinear, HertzMindlin, ContinuousCumulative, HookeCumulative>(laws, settings);
+    auto made = make_fused<D, HookeLinear, HertzMindlin, ElasticHertzMindlin, ContinuousCumulative, HookeCumulative>(
+        laws, settings);
     if (made) return made;
   }
   std::vector<AnyPairLaw> table;

@@ -245,7 +245,9 @@ class Soft final : public Method<D> {
   }
 
   /// Calls use(first id, second id or wall, law, geometry, force, history, lever of the first) for every pair in reach,
-  /// in the order of the lists, with positions `back` [T] ago and histories advanced by as much.
+  /// in the order of the lists, with positions `back` [T] ago and histories advanced to that time. With half-step
+  /// velocities a history belongs to the last force, and advances by `back`; with synchronised ones to the half step
+  /// after it.
   template <class Use>
   void for_every_contact(const Grains<D>& grains, double back, const Use& use) const;
 
@@ -276,6 +278,9 @@ void Soft<D, Law, Full>::for_every_contact(const Grains<D>& grains, double back,
     grain.position -= grain.velocity * back;
     return grain;
   };
+  const auto with_times = [&](const auto& force_in) {
+    return settings_.synchronised ? force_in(HalfSteps{.before = behind() - back}) : force_in(back);
+  };
   for (std::uint32_t i = 0; i < pairs_.rows(); ++i) {
     for (auto k = pairs_.row_start[i]; k < pairs_.row_start[i + 1]; ++k) {
       const auto j = pairs_.partner[k];
@@ -293,7 +298,9 @@ void Soft<D, Law, Full>::for_every_contact(const Grains<D>& grains, double back,
       ContactHistory<Tangent<D>> history;
       history.slip = turned(swap ? swapped(pairs_.slip[k]) : pairs_.slip[k], pair.normal);
       if constexpr (Full) history.roll = turned(swap ? -pairs_.roll[k] : pairs_.roll[k], pair.normal);
-      const auto force = contact_force(law, pair.touch, pair.slip_velocity, pair.roll_velocity, back, history);
+      const auto force = with_times([&](const auto& times) {
+        return contact_force(law, pair.touch, pair.slip_velocity, pair.roll_velocity, times, history);
+      });
       use(grains.id[a], grains.id[b], law, pair, force, history, pair.lever * first.radius);
     }
   }
@@ -314,7 +321,8 @@ void Soft<D, Law, Full>::for_every_contact(const Grains<D>& grains, double back,
           soft::wall_geometry(law, grain, wall, now[touch.wall], touch.place, surface_velocity(now[touch.wall], touch));
       const auto& contact = row[touch.entry];
       ContactHistory<Tangent<D>> history{turned(contact.slip, pair.normal), turned(contact.roll, pair.normal)};
-      const auto force = soft::wall_contact(law, wall, pair, back, history);
+      const auto force =
+          with_times([&](const auto& times) { return soft::wall_contact(law, wall, pair, times, history); });
       use(grains.id[i], wall_partner(touch.wall), law, pair, force, history, grain.radius);
     }
   }
@@ -375,7 +383,7 @@ void Soft<D, Law, Full>::add_elastic(Energy& account, const Grains<D>& grains) c
 }
 
 /// Kicks end at half steps, where the kinetic and the dissipated energy are known. So the potential energies are
-/// computed there too: with positions half a step back and slip displacements half a step advanced.
+/// computed there too: with positions half a step back and slip displacements of that time.
 template <int D, class Law, bool Full>
 Energy Soft<D, Law, Full>::energy(const Grains<D>& grains) const {
   Energy account = energy_;

@@ -37,7 +37,19 @@ struct SweepInput {
   double speed_limit2;                        ///< [L^2/T^2] squared speed above which a grain cannot be followed
 };
 
-template <bool Periodic, bool Full, int D, class Law>
+/// The times by which contacts advance in this step: the step itself for velocities of the half step, whose sum is the
+/// midpoint rule, and both its halves for velocities at the time of the force.
+template <bool Synchronised, int D, class Law>
+REPOSE_FN auto contact_times(const SweepInput<D, Law>& in) {
+  const double dt = in.settings.time_step;
+  if constexpr (Synchronised) {
+    return HalfSteps{.before = in.step > 0 ? 0.5 * dt : 0.0, .after = 0.5 * dt};
+  } else {
+    return dt;
+  }
+}
+
+template <bool Periodic, bool Synchronised, bool Full, int D, class Law>
 void push_edges(const SweepInput<D, Law>& in, const Grains<D>& grains, Workspace<D, Full>& mine) {
   Tangent<D> no_roll{};
   for (std::size_t e = 0; e < mine.edges.size(); ++e) {
@@ -45,8 +57,8 @@ void push_edges(const SweepInput<D, Law>& in, const Grains<D>& grains, Workspace
     const auto j = in.pairs.partner[k];
     mine.edge_push[e] = {};
     pair_force<Periodic>(in.laws.of(grains.material[i], grains.material[j]), grains.line[i], grains.line[j],
-                         in.settings.box, in.settings.time_step, in.pairs.slip[k], Full ? in.pairs.roll[k] : no_roll,
-                         mine.edge_push[e]);
+                         in.settings.box, contact_times<Synchronised>(in), in.pairs.slip[k],
+                         Full ? in.pairs.roll[k] : no_roll, mine.edge_push[e]);
   }
 }
 
@@ -123,7 +135,7 @@ void add_work(GrainWork& work, const Slot<D, true>& sum, const WallPush<D, true>
 }
 
 /// The push of the walls on grain i. The force of each wall is also stored with its pair.
-template <bool Full, int D, class Law>
+template <bool Synchronised, bool Full, int D, class Law>
 WallPush<D, Full> push_of_walls(const SweepInput<D, Law>& in, const Grains<D>& grains, std::size_t i,
                                 Workspace<D, Full>& mine) {
   WallPush<D, Full> sum;
@@ -153,7 +165,7 @@ WallPush<D, Full> push_of_walls(const SweepInput<D, Law>& in, const Grains<D>& g
     contact.surface = surface_velocity(now, *touch);
     const auto pair = wall_geometry(law, grain, wall, now, touch->place, contact.surface);
     ContactHistory<Tangent<D>> history{turned(contact.slip, pair.normal), turned(contact.roll, pair.normal)};
-    const auto force = wall_contact(law, wall, pair, dt, history);
+    const auto force = wall_contact(law, wall, pair, contact_times<Synchronised>(in), history);
     contact.slip = history.slip;
     contact.roll = history.roll;
     Push<D, Full> push;
@@ -192,7 +204,7 @@ void finish_special_row(const SweepInput<D, Law>& in, Grains<D>& grains, std::si
   Slot<D, Full> sum = of_pairs;
   WallPush<D, Full> at_walls;
   if (in.walls.any()) {
-    at_walls = push_of_walls(in, grains, i, mine);
+    at_walls = push_of_walls<Synchronised>(in, grains, i, mine);
     sum.force += at_walls.all.force;
     sum.rim_torque += at_walls.all.rim_torque;
   }
@@ -238,7 +250,7 @@ void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Wor
                 Workspace<D, Full>& mine) {
   const Law law = in.laws.first();
   const Box<D> box = in.settings.box;
-  const double dt = in.settings.time_step;
+  const auto times = contact_times<Synchronised>(in);
   const std::uint32_t* const row_start = in.pairs.row_start.data();
   const std::uint32_t* const partner = in.pairs.partner.data();
   Tangent<D>* const history = in.pairs.slip.data();
@@ -278,9 +290,9 @@ void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Wor
       Push<D, Full> push;
       const Law& pair_law = OneMaterial ? law : in.laws.of(grains.material[i], grains.material[j]);
       if constexpr (Full) {
-        if (!pair_force<Periodic>(pair_law, grain, line[j], box, dt, history[k], roll[k], push)) continue;
+        if (!pair_force<Periodic>(pair_law, grain, line[j], box, times, history[k], roll[k], push)) continue;
       } else {
-        if (!pair_force<Periodic>(pair_law, grain, line[j], box, dt, history[k], push)) continue;
+        if (!pair_force<Periodic>(pair_law, grain, line[j], box, times, history[k], push)) continue;
       }
       sum.add(push);
       ring[j & mask].add_back(push);
@@ -312,9 +324,9 @@ void sweep(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Workspac
   auto& mine = workspaces[static_cast<std::size_t>(member)];
   const auto with_flag = [](bool flag, const auto& use) { flag ? use(std::true_type{}) : use(std::false_type{}); };
   with_flag(in.settings.box.periodic, [&](auto periodic) {
-    push_edges<periodic>(in, grains, mine);
-    team.wait();
     with_flag(in.settings.synchronised, [&](auto synchronised) {
+      push_edges<periodic, synchronised>(in, grains, mine);
+      team.wait();
       if constexpr (Full) {
         sweep_rows<periodic, synchronised, false>(in, grains, workspaces, mine);
       } else {
