@@ -81,6 +81,12 @@ class Units:
     def time_value(self, value):
         return f"{value:.6g} √(σ/g)" if self.reduced else f"{value:.6g} s"
 
+    def speed(self, symbol):
+        return f"{symbol} / √(gσ)" if self.reduced else f"{symbol} (m/s)"
+
+    def speed_squared(self, symbol):
+        return f"{symbol} / gσ" if self.reduced else f"{symbol} (m²/s²)"
+
     def stress(self, symbol):
         return f"{symbol} / (mg/σ)" if self.reduced else f"{symbol} (N/m)"
 

@@ -29,6 +29,7 @@ def write_analysis(folder, grains, contacts, diameter, surface=True, track=True,
             write_voronoi(file.create_group("voronoi"), grains["id"][moving], centre[moving], diameter)
             write_forces(file.create_group("forces"))
             write_chains(file.create_group("chains"), contacts)
+            write_grain_stress(file.create_group("grain_stress"), grains, diameter)
             write_fields(file.create_group("fields"), centre[moving], diameter)
         if track and moving.any():
             write_motion(file, diameter)
@@ -73,6 +74,14 @@ def write_voronoi(group, ids, centre, diameter):
         "vertices": vertices.reshape(-1, 2),
     }
     write_group(group, columns)
+
+
+def write_grain_stress(group, grains, diameter):
+    """A uniform pressure of 2 over the discs."""
+    count = len(grains["id"])
+    columns = {"id": grains["id"], "area": np.full(count, 0.25 * np.pi * diameter**2), "in_cell": np.zeros(count, np.uint8)}
+    stress = {f"stress_{name}": np.full(count, 2.0 if name[0] == name[1] else 0.0) for name in ("xx", "xy", "yx", "yy")}
+    write_group(group, {**columns, **stress})
 
 
 def write_forces(group):
@@ -123,6 +132,7 @@ def write_fields(group, centre, diameter):
     columns = {
         "x": x,
         "y": y,
+        "room": np.ones_like(solid_fraction),
         "density": solid_fraction,
         "solid_fraction": solid_fraction,
         "stress_xx": pressure + deviator * np.cos(2.0 * angle),
@@ -131,6 +141,14 @@ def write_fields(group, centre, diameter):
         "stress_yy": pressure - deviator * np.cos(2.0 * angle),
         "support_x": np.zeros_like(pressure),
         "support_y": np.zeros_like(pressure),
+        "velocity_x": depth / diameter,
+        "velocity_y": np.zeros_like(pressure),
+        "temperature": np.where(solid_fraction > 0.0, 0.25, np.nan),
+        "contacts": 2.0 * solid_fraction,
+        "fabric_xx": np.full_like(pressure, 0.25),
+        "fabric_xy": np.zeros_like(pressure),
+        "fabric_yy": np.full_like(pressure, 0.75),
+        "coordination": np.full_like(pressure, 4.0),
     }
     write_group(group, columns, width=1.5 * diameter, cell=cell)
 

@@ -33,6 +33,8 @@ NO_CONTACTS = {
     "force_distribution": NO_FORCE,
     "voronoi": "there is no heap",
     "stress": "there is no heap",
+    "velocity": "there is no heap",
+    "temperature": "there is no heap",
 }
 
 RUNS = {

@@ -9,6 +9,7 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection, PathCollection, PolyCollection, QuadMesh
 from matplotlib.colors import to_hex
+from matplotlib.quiver import Quiver
 from synthetic import base_row, pyramid, write_run
 from synthetic_analysis import BIN, write_group
 
@@ -147,6 +148,43 @@ def test_stress_shows_both_fields_and_bars_along_the_major_axis(folder):
     assert f"= {LEGEND_VALUE:g}" in legend_of(figure)[0]
     texts = [text.get_text() for text in figure.texts]
     assert "pressure / (mg/σ)" in texts and "solid fraction, Gaussian of width 1.5 σ" in texts
+
+
+def test_stress_in_cells_that_a_wall_cuts_is_that_before_the_wall(folder):
+    """Half of each cell is behind a wall, and the densities with it: the picture shows what is before it."""
+    _, whole = drawn(folder, "stress")
+    with h5py.File(folder / "analysis.h5", "a") as file:
+        for name in ("room", "density", "solid_fraction", "stress_xx", "stress_xy", "stress_yx", "stress_yy"):
+            file[f"fields/{name}"][()] = 0.5 * file[f"fields/{name}"][()]
+    _, cut = drawn(folder, "stress")
+    for before, after in zip(whole.axes[:2], cut.axes[:2]):
+        one, two = (of_kind(axes, QuadMesh)[0].get_array() for axes in (before, after))
+        np.testing.assert_array_equal(np.ma.getmaskarray(one), np.ma.getmaskarray(two))
+        np.testing.assert_allclose(one.compressed(), two.compressed())
+
+
+def test_no_stress_is_called_by_the_sign_of_a_diameter(folder):
+    _, figure = drawn(folder, "stress")
+    assert not any("σ₁" in text for text in legend_of(figure))
+
+
+def test_velocity_shows_the_speed_and_arrows(folder):
+    run, figure = drawn(folder, "velocity")
+    axes = figure.axes[0]
+    fields = run.analysis["fields"]
+    dense = fields["solid_fraction"] > 0.2
+    shown = of_kind(axes, QuadMesh)[0].get_array().reshape(dense.shape)
+    np.testing.assert_allclose(shown[dense].data, np.abs(fields["velocity_x"][dense]))
+    (arrows,) = of_kind(axes, Quiver)
+    assert (arrows.U > 0.0).all() and (arrows.V == 0.0).all() and len(arrows.U) > 5
+    assert "speed of the mean flow / √(gσ)" in [text.get_text() for text in figure.texts]
+
+
+def test_temperature(folder):
+    run, figure = drawn(folder, "temperature")
+    shown = of_kind(figure.axes[0], QuadMesh)[0].get_array()
+    np.testing.assert_allclose(shown.compressed(), 0.25)
+    assert "granular temperature / gσ" in [text.get_text() for text in figure.texts]
 
 
 def test_stress_of_si_runs_has_their_units(tmp_path):

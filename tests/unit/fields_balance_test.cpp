@@ -22,10 +22,14 @@ double integrated_normal(double z) {
 // their sum on grain i. Integrated over x, and averaged exactly over the rows of cells, a cut carries
 //   sum_i F_ia above(y_i) - sum_c support_ca above(y_c),
 // where above(y) is the fraction of a Gaussian above y, averaged over the row. The grains need not be in equilibrium.
+// Upright planes change nothing in that, however near: the Gaussian that they cut off has the same sum in every row.
 // Tolerance: that of the quadrature along branches of 2.5 widths.
 TEST(Fields, EveryRowCarriesTheForcesAboveIt) {
   constexpr int side = 12;
-  for (const bool wraps : {false, true}) {
+  const std::vector<FlatWall> upright{{{{-0.5, 0.0}}, {{1.0, 0.0}}}, {{{side - 0.4, 0.0}}, {{-1.0, 0.0}}}};
+  enum class Sides { open, periodic, walls };
+  for (const auto sides : {Sides::open, Sides::periodic, Sides::walls}) {
+    const bool wraps = sides == Sides::periodic;
     for (const double width : {0.4, 1.5}) {
       Box<2> box;
       if (wraps) box = {.periodic = true, .x_min = 0.0, .x_max = side};
@@ -75,7 +79,8 @@ TEST(Fields, EveryRowCarriesTheForcesAboveIt) {
         place.push_back(grains.line[second].position);
         force.push_back(-force_of(contact));
       }
-      const auto fields = coarse_grained({grains, box}, contacts, heap, box, width);
+      const auto fields = coarse_grained({grains, box}, contacts, heap, box,
+                                         {width, 0.0, sides == Sides::walls ? upright : std::vector<FlatWall>{}});
       const auto columns = fields.x.size();
       for (std::size_t row = 0; row < fields.y.size(); ++row) {
         for (int a = 0; a < 2; ++a) {

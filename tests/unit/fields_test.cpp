@@ -3,20 +3,16 @@
 #include "repose/analysis/fields.hpp"
 
 #include "repose/core/random.hpp"
+#include "support/fields.hpp"
 #include "support/packing.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 namespace repose {
 namespace {
-
-double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
-
-std::vector<bool> all_of(const Grains<2>& grains) { return std::vector<bool>(grains.size(), true); }
 
 /// Discs of many sizes at random positions.
 Grains<2> scattered(int count, double width, double height) {
@@ -48,7 +44,7 @@ TEST(Fields, IntegralOfDensityIsTheMass) {
   periodic.x_max = 20.0;
   for (const auto& box : {Box<2>{}, periodic}) {
     for (const double width : {0.3, 1.5, 4.0}) {
-      const auto fields = coarse_grained({grains, box}, {}, all_of(grains), box, width);
+      const auto fields = coarse_grained({grains, box}, {}, all_of(grains), box, {width});
       const double cell = fields.cell * fields.cell;
       EXPECT_NEAR(sum(fields.density) * cell / mass, 1.0, 1e-12);
       EXPECT_NEAR(sum(fields.solid_fraction) * cell / area, 1.0, 1e-12);
@@ -60,14 +56,14 @@ TEST(Fields, OnlyGrainsOfTheHeapCount) {
   Grains<2> grains;
   grains.add(unit_disc(0.0, 0.0), 0);
   grains.add(unit_disc(0.0, 50.0), 1);
-  const auto fields = coarse_grained({grains, {}}, {}, {true, false}, {}, 1.0);
+  const auto fields = coarse_grained({grains, {}}, {}, {true, false}, {}, {1.0});
   EXPECT_NEAR(sum(fields.density) * fields.cell * fields.cell, 1.0, 1e-12);
   EXPECT_LT(fields.y.back(), 12.0);
 }
 
 TEST(Fields, EmptyWithoutGrains) {
   const Grains<2> none;
-  EXPECT_TRUE(coarse_grained({none, {}}, {}, {}, {}, 1.0).density.empty());
+  EXPECT_TRUE(coarse_grained({none, {}}, {}, {}, {}, {1.0}).density.empty());
 }
 
 // A cell is no wider than a periodic box, so no grid of four million cells can extend from 0 to 1e9.
@@ -79,9 +75,9 @@ TEST(Fields, EmptyIfAGrainIsFarAwayInAPeriodicBox) {
   box.periodic = true;
   box.x_min = -8.0;
   box.x_max = 8.0;
-  EXPECT_TRUE(coarse_grained({grains, box}, {}, all_of(grains), box, 1.0).density.empty());
+  EXPECT_TRUE(coarse_grained({grains, box}, {}, all_of(grains), box, {1.0}).density.empty());
   grains.line[1].position[1] = 1e6;
-  const auto far = coarse_grained({grains, box}, {}, all_of(grains), box, 1.0);
+  const auto far = coarse_grained({grains, box}, {}, all_of(grains), box, {1.0});
   EXPECT_NEAR(sum(far.density) * far.cell * far.cell, 2.0, 1e-12);
 }
 
@@ -91,7 +87,7 @@ TEST(Fields, DensityOfOneDiscIsTheGaussian) {
   Grains<2> grains;
   grains.add(unit_disc(0.3, -0.2), 0);
   const double width = 2.0;
-  const auto fields = coarse_grained({grains, {}}, {}, all_of(grains), {}, width);
+  const auto fields = coarse_grained({grains, {}}, {}, all_of(grains), {}, {width});
   for (std::size_t row = 0; row < fields.y.size(); ++row) {
     for (std::size_t column = 0; column < fields.x.size(); ++column) {
       const double d2 = std::pow(fields.x[column] - 0.3, 2) + std::pow(fields.y[row] + 0.2, 2);
@@ -131,7 +127,7 @@ TEST(Fields, LatticePileIsInBalance) {
 TEST(Fields, StressOfTheLatticePile) {
   const auto pile = lattice_pile(45);
   const double width = 1.0;
-  const auto fields = coarse_grained({pile.grains, {}}, pile.contacts, all_of(pile.grains), {}, width);
+  const auto fields = coarse_grained({pile.grains, {}}, pile.contacts, all_of(pile.grains), {}, {width});
   const double away = 7.0 * width + 1.0;
   std::size_t compared = 0;
   for (std::size_t row = 0; row < fields.y.size(); ++row) {
@@ -159,7 +155,7 @@ TEST(Fields, StressOfTheLatticePile) {
 // pile (Liffman et al. 1992, eqs 42, 44). The ripple of the row is damped by exp(-2 pi^2) = 3e-9 for w = 1.
 TEST(Fields, BaseProfileOfTheLatticePile) {
   const auto pile = lattice_pile(45);
-  const auto fields = coarse_grained({pile.grains, {}}, pile.contacts, all_of(pile.grains), {}, 1.0);
+  const auto fields = coarse_grained({pile.grains, {}}, pile.contacts, all_of(pile.grains), {}, {1.0});
   const auto columns = fields.x.size();
   std::size_t compared = 0;
   for (std::size_t column = 0; column < columns; ++column) {
@@ -189,7 +185,7 @@ TEST(Fields, TotalsOfStressAndSupport) {
     }
     if (contact.second < 0) weight += contact.normal_force;
   }
-  const auto fields = coarse_grained({pile.grains, {}}, pile.contacts, all_of(pile.grains), {}, 1.0);
+  const auto fields = coarse_grained({pile.grains, {}}, pile.contacts, all_of(pile.grains), {}, {1.0});
   const double cell = fields.cell * fields.cell;
   EXPECT_NEAR(weight, 78.0, 1e-12);
   EXPECT_NEAR(sum(fields.support[1]) * cell / weight, 1.0, 1e-12);
@@ -203,7 +199,7 @@ TEST(Fields, TotalsOfStressAndSupport) {
 // cell^4, below 0.1 % of the weight.
 TEST(Fields, EveryCutCarriesTheWeightAboveIt) {
   const auto pile = lattice_pile(20);
-  const auto fields = coarse_grained({pile.grains, {}}, pile.contacts, all_of(pile.grains), {}, 1.5);
+  const auto fields = coarse_grained({pile.grains, {}}, pile.contacts, all_of(pile.grains), {}, {1.5});
   const auto columns = fields.x.size();
   const auto rows = fields.y.size();
   const double weight = 210.0;
@@ -240,7 +236,7 @@ TEST(Fields, PeriodicBranch) {
   contact.normal = {{1.0, 0.0}};
   contact.first_lever = 0.5;
   contact.normal_force = 2.0;
-  const auto fields = coarse_grained({grains, box}, Contacts<2>{{contact}}, all_of(grains), box, 1.0);
+  const auto fields = coarse_grained({grains, box}, Contacts<2>{{contact}}, all_of(grains), box, {1.0});
   EXPECT_NEAR(sum(fields.stress[0]) * fields.cell * fields.cell, 2.0, 1e-12);
   EXPECT_EQ(sum(fields.support[0]), 0.0);
 }

@@ -125,24 +125,6 @@ class Surroundings {
   std::vector<Neighbour> near_;
 };
 
-/// The pieces of finite walls near a point, in units of the largest diameter and relative to it.
-std::vector<PieceOfWall> pieces_near(const Vec<2>& centre, const std::vector<FlatWall>& walls, const Box<2>& box,
-                                     double unit, double reach) {
-  std::vector<PieceOfWall> near;
-  for (const auto& wall : walls) {
-    if (!std::isfinite(wall.half_length)) continue;
-    const Vec<2> along = Vec<2>{{wall.normal[1], -wall.normal[0]}} * wall.half_length;
-    const Vec<2> nearest = separation(wall.point, centre, box);
-    for (int image = box.periodic ? -1 : 0; image <= (box.periodic ? 1 : 0); ++image) {
-      Vec<2> middle = nearest;
-      if (image != 0) middle[0] += image * box.width();
-      const PieceOfWall piece{(middle - along) * (1.0 / unit), (middle + along) * (1.0 / unit)};
-      if (distance_to(piece) < reach) near.push_back(piece);
-    }
-  }
-  return near;
-}
-
 double doubled_area(const std::vector<Vec<2>>& vertices) {
   double doubled = 0.0;
   for (std::size_t k = 0; k < vertices.size(); ++k) {

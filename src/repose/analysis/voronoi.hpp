@@ -2,21 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/analysis/flat_wall.hpp"
 #include "repose/core/ordered_grains.hpp"
 #include "repose/core/vec.hpp"
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace repose {
-
-/// A straight wall that bounds cells: an infinite one on the side of its normal, a finite one on both sides.
-struct FlatWall {
-  Vec<2> point{};   ///< [L] any point on an infinite wall; the middle of a finite one
-  Vec<2> normal{};  ///< unit vector, towards the grains of an infinite wall
-  double half_length = std::numeric_limits<double>::infinity();  ///< [L]
-};
 
 /// The part of the plane that belongs to one grain.
 struct VoronoiCell {

@@ -75,6 +75,11 @@ VtkPolyData grains_for_vtk(const Moment& moment) {
                      {"fixed", 1, fixed},          {"base", 1, base},
                      {"material", 1, material},    {"contacts", 1, coordination},
                      {"kinetic_energy", 1, energy}};
+  if (moment.stress.empty()) return data;
+  std::vector<double> stress;
+  for (const auto& s : moment.stress) stress.insert(stress.end(), {s[0], s[1], 0.0, s[2], s[3], 0.0, 0.0, 0.0, 0.0});
+  data.point_data.push_back({"stress", 9, stress});
+  data.point_data.push_back({"stress_area", 1, moment.area});
   return data;
 }
 
@@ -111,13 +116,20 @@ VtkPolyData contacts_for_vtk(const Moment& moment, const Box<2>& box) {
 void add_grains_for_lammps(WholeFile& file, const Moment& moment, const Box<2>& box) {
   const auto& grains = *moment.grains;
   print_header(file, moment, box, "ATOMS", grains.size());
-  file.print("ITEM: ATOMS id type x y z vx vy vz omegaz radius mass fixed base\n");
+  const bool with_stress = !moment.stress.empty();
+  file.print("ITEM: ATOMS id type x y z vx vy vz omegaz radius mass fixed base{}\n",
+             with_stress ? " stress_xx stress_xy stress_yx stress_yy stress_area" : "");
   for (std::size_t k = 0; k < grains.size(); ++k) {
     const auto& grain = grains.line[k];
     // LAMMPS numbers atoms and types from 1.
-    file.print("{} {} {} {} 0 {} {} 0 {} {} {} {} {}\n", grains.id[k] + 1, grains.material[k] + 1, grain.position[0],
+    file.print("{} {} {} {} 0 {} {} 0 {} {} {} {} {}", grains.id[k] + 1, grains.material[k] + 1, grain.position[0],
                grain.position[1], grain.velocity[0], grain.velocity[1], grain.rim_velocity / grain.radius, grain.radius,
                grain.mass, grain.fixed() ? 1 : 0, grains.base[k]);
+    if (with_stress) {
+      for (const double component : moment.stress[k]) file.print(" {}", component);
+      file.print(" {}", moment.area[k]);
+    }
+    file.print("\n");
   }
 }
 

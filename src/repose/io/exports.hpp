@@ -8,7 +8,9 @@
 #include "repose/io/vtk_file.hpp"
 #include "repose/io/whole_file.hpp"
 
+#include <array>
 #include <cstdint>
+#include <vector>
 
 namespace repose {
 
@@ -18,9 +20,12 @@ struct Moment {
   std::int64_t step = 0;
   OrderedGrains<2> grains;
   Contacts<2> contacts;
+  /// [M/T^2] xx, xy, yx, yy of each grain, and the area [L^2] that it is a mean over; empty for methods without forces.
+  std::vector<std::array<double, 4>> stress = {};
+  std::vector<double> area = {};
 };
 
-/// The grains as points with all their properties.
+/// The grains as points with all their properties and the stress.
 VtkPolyData grains_for_vtk(const Moment& moment);
 
 /// The contacts as lines from centre to centre, or from a centre to the wall. Across a periodic side a line ends at the

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/record/record.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <stdexcept>
 
 namespace repose {
@@ -25,6 +27,28 @@ Status status_of(const std::string& text) {
     if (status_text(status) == text) return status;
   }
   throw std::out_of_range("no such status: " + text);
+}
+
+std::vector<RecordedWall> walls_at(const Record& record, double time) {
+  const auto walls = record.walls.size();
+  std::vector<WallState> states(walls);
+  const auto& rows = record.series;
+  const auto next = static_cast<std::size_t>(
+      std::lower_bound(rows.begin(), rows.end(), time, [](const auto& row, double t) { return row.time < t; }) -
+      rows.begin());
+  if (record.wall_series.size() != rows.size() * walls || rows.empty()) return recorded_walls(record.scene, {}, time);
+  for (std::size_t w = 0; w < walls; ++w) {
+    const auto displacement = [&](std::size_t row) { return record.wall_series[row * walls + w].displacement; };
+    const double before = next > 0 ? displacement(next - 1) : 0.0;
+    if (next == rows.size()) {
+      states[w].displacement = before;
+      continue;
+    }
+    const double start = next > 0 ? rows[next - 1].time : 0.0;
+    const double passed = rows[next].time > start ? (time - start) / (rows[next].time - start) : 1.0;
+    states[w].displacement = before + passed * (displacement(next) - before);
+  }
+  return recorded_walls(record.scene, states, time);
 }
 
 SolverAccount solver_account(const Record& record) {

@@ -72,6 +72,9 @@ struct Record {
   Track track;
 };
 
+/// The walls as they stood at a time [T]: where the rows of the series have them, and between these on a straight line.
+std::vector<RecordedWall> walls_at(const Record& record, double time);
+
 /// What the solver did from the start to the last row of the series.
 SolverAccount solver_account(const Record& record);
 

@@ -148,12 +148,17 @@ Record read_last_state(const std::string& folder) {
   return record;
 }
 
-Record read_record(const std::string& folder) {
-  Record record = read_last_state(folder);
-  const Hdf5Reader file(folder + "/run.h5");
+void read_series(const Hdf5Reader& file, Record& record) {
   read_group(file, series_group(), record.series);
   const auto rows = record.series.size();
   if (rows > 0 && !record.walls.empty()) read_columns(file, "series", wall_series_columns(), record, rows);
+}
+
+Record read_record(const std::string& folder) {
+  Record record = read_last_state(folder);
+  const Hdf5Reader file(folder + "/run.h5");
+  read_series(file, record);
+  const auto rows = record.series.size();
   if (record.scene.output.energy) read_group(file, energy_group(), record.series, rows);
   if (record.scene.method->solver() != nullptr) read_group(file, solver_group(), record.series, rows);
   record.base = read_base(file);

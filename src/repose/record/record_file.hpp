@@ -24,6 +24,9 @@ std::string read_run_scene(const std::string& folder);
 /// The last state of a run folder: the record without series, base and track. Throws as read_record does.
 Record read_last_state(const std::string& folder);
 
+/// Reads the series of a run.h5 into a record that has its walls. Throws InputError.
+void read_series(const Hdf5Reader& file, Record& record);
+
 /// Reads scene.toml and run.h5 of a run folder. Throws InputError if there is none or it is damaged.
 Record read_record(const std::string& folder);
 

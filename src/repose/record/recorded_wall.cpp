@@ -6,6 +6,14 @@
 
 namespace repose {
 
+std::vector<FlatWall> standing_walls(const std::vector<RecordedWall>& walls) {
+  std::vector<FlatWall> standing;
+  for (const auto& recorded : walls) {
+    if (!recorded.open) standing.push_back({recorded.wall.point, recorded.wall.normal, recorded.wall.half_length});
+  }
+  return standing;
+}
+
 std::vector<RecordedWall> recorded_walls(const Scene& scene, const std::vector<WallState>& states, double time) {
   const auto walls = make_walls(scene);
   const auto names = wall_names(scene);

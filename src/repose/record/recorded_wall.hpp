@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/analysis/flat_wall.hpp"
 #include "repose/boundaries/wall.hpp"
 #include "repose/scene/scene.hpp"
 
@@ -19,6 +20,9 @@ struct RecordedWall {
   bool open = false;     ///< grains pass through it
   bool rotates = false;  ///< about the centre of its motion
 };
+
+/// Those that stand, as they bound cells and fields.
+std::vector<FlatWall> standing_walls(const std::vector<RecordedWall>& walls);
 
 /// The walls of a scene at some time. `states` has an entry for each, or none where all stand still.
 std::vector<RecordedWall> recorded_walls(const Scene& scene, const std::vector<WallState>& states, double time);

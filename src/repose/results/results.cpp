@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/results/results.hpp"
 
+#include "repose/analysis/base_lines.hpp"
 #include "repose/analysis/sticking_rule.hpp"
 #include "repose/results/measure.hpp"
 
@@ -19,12 +20,12 @@ namespace {
 /// The core begins this far above the base centres: the base orders the layers below.
 constexpr double core_above_base = 2.0;  // diameters
 
-std::vector<FlatWall> standing_walls(const Record& record) {
-  std::vector<FlatWall> walls;
-  for (const auto& recorded : record.walls) {
-    if (!recorded.open) walls.push_back({recorded.wall.point, recorded.wall.normal, recorded.wall.half_length});
-  }
-  return walls;
+/// Fields end at walls as they stand, and at rows of fixed grains.
+FieldSettings field_settings(const Record& record, double threshold) {
+  FieldSettings settings{record.scene.analysis.field_width, threshold, standing_walls(record.walls)};
+  const auto base = base_lines(record.grains, record.box);
+  settings.walls.insert(settings.walls.end(), base.begin(), base.end());
+  return settings;
 }
 
 MotionSettings motion_settings(const Scene& scene, double base_height) {
@@ -178,12 +179,13 @@ Results analyse(const Record& record) {
   const double weight = mass * scene.gravity;
   if (weight > 0.0) results.weight_error = record.facts.support_force / weight - 1.0;
 
-  results.cells = voronoi(record.grains, in_heap, standing_walls(record), box);
+  results.cells = voronoi(record.grains, in_heap, standing_walls(record.walls), box);
+  results.grain_stress = grain_stresses(record.grains, contacts, results.cells, box);
   results.core = measure_core(grains, contacts, results.heap, results.cells, results.base_height,
                               scene.analysis.core_depth, core_above_base * scene.grains.diameter, threshold);
   results.forces = measure_force_statistics(contacts, threshold);
   results.chains = find_chains(grains, contacts, threshold, box);
-  results.fields = coarse_grained(record.grains, contacts, in_heap, box, scene.analysis.field_width);
+  results.fields = coarse_grained(record.grains, contacts, in_heap, box, field_settings(record, threshold));
   if (mass > 0.0 && !results.fields.density.empty()) {
     double sum = 0.0;
     for (const double density : results.fields.density) sum += density;

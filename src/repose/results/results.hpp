@@ -8,6 +8,7 @@
 #include "repose/analysis/fields.hpp"
 #include "repose/analysis/force_network.hpp"
 #include "repose/analysis/force_statistics.hpp"
+#include "repose/analysis/grain_stress.hpp"
 #include "repose/analysis/heap.hpp"
 #include "repose/analysis/motion.hpp"
 #include "repose/analysis/packing.hpp"
@@ -33,6 +34,7 @@ struct Results {
   double base_height = 0.0;            ///< [L]
   std::optional<double> weight_error;  ///< vertical force on the supports over the weight they carry, less 1
   std::vector<VoronoiCell> cells;
+  std::vector<GrainStress> grain_stress;  ///< of all grains, by ascending id
   CoreRegion core;
   std::optional<ForceStatistics> forces;
   Chains chains;

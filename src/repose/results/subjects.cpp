@@ -13,6 +13,7 @@ void add_motion(Registry& to);
 void add_base(Registry& to);
 void add_force_range(Registry& to);
 void add_fields(Registry& to);
+void add_grain_stress(Registry& to);
 void add_packing(Registry& to);
 void add_packing_structure(Registry& to);
 void add_solver(Registry& to);
@@ -29,6 +30,7 @@ std::vector<Subject> subjects() {
       add_base,               //
       add_force_range,        //
       add_fields,             //
+      add_grain_stress,       //
       add_packing,            //
       add_packing_structure,  //
       add_solver,             //

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/run_folder/export.hpp"
 
+#include "repose/analysis/grain_stress.hpp"
+#include "repose/analysis/heap.hpp"
+#include "repose/analysis/voronoi.hpp"
 #include "repose/contact_problem/contact_problem.hpp"
 #include "repose/core/errors.hpp"
 #include "repose/io/csv_tables.hpp"
@@ -42,6 +45,18 @@ std::vector<std::string> frame_files(const ExportOrder& order) {
   return files;
 }
 
+/// Adds the stress of each grain, where contacts have forces.
+Moment with_stress(Moment moment, const Record& run, const std::vector<RecordedWall>& walls) {
+  if (!run.scene.method->traits().has_forces()) return moment;
+  const auto in_heap = supported(*moment.grains, moment.contacts);
+  const auto cells = voronoi(moment.grains, in_heap, standing_walls(walls), run.box);
+  for (const auto& grain : grain_stresses(moment.grains, moment.contacts, cells, run.box)) {
+    moment.stress.push_back(grain.stress);
+    moment.area.push_back(grain.area);
+  }
+  return moment;
+}
+
 Moment read_frame(const std::string& path, const Record& last) {
   const Hdf5Reader file(path);
   Moment moment{
@@ -56,16 +71,24 @@ using Use = std::function<void(const Moment&, std::size_t number)>;
 std::size_t for_every_moment(const ExportOrder& order, const Record& last, const Use& use) {
   std::size_t number = 0;
   for (const auto& path : frame_files(order)) {
-    const auto moment = read_frame(path, last);
+    auto moment = read_frame(path, last);
     if (moment.step >= last.facts.steps) break;  // the last state itself
-    use(moment, number++);
+    const auto walls = walls_at(last, moment.time);
+    use(with_stress(std::move(moment), last, walls), number++);
   }
-  use({last.facts.time, last.facts.steps, last.grains, last.contacts}, number);
+  use(with_stress({last.facts.time, last.facts.steps, last.grains, last.contacts}, last, last.walls), number);
   return number + 1;
 }
 
+/// The last state with the series, which has where walls stood at the times of frames.
+Record read_states(const ExportOrder& order) {
+  auto last = read_last_state(order.folder);
+  if (order.frames) read_series(Hdf5Reader(order.folder + "/run.h5"), last);
+  return last;
+}
+
 void export_vtk(const ExportOrder& order, const std::string& folder, Exported& done) {
-  const auto last = read_last_state(order.folder);
+  const auto last = read_states(order);
   std::vector<std::pair<double, std::string>> grains;
   std::vector<std::pair<double, std::string>> contacts;
   done.moments = for_every_moment(order, last, [&](const Moment& moment, std::size_t number) {
@@ -80,7 +103,7 @@ void export_vtk(const ExportOrder& order, const std::string& folder, Exported& d
 }
 
 void export_ovito(const ExportOrder& order, const std::string& folder, Exported& done) {
-  const auto last = read_last_state(order.folder);
+  const auto last = read_states(order);
   WholeFile grains(folder + "/grains.dump");
   WholeFile contacts(folder + "/contacts.dump");
   done.moments = for_every_moment(order, last, [&](const Moment& moment, std::size_t) {

@@ -16,26 +16,28 @@ from repose.pictures.run.legends import BAR_ROW, LEGEND_ROW, colour_bar_above, l
 from repose.pictures.run.shapes import add_discs, add_walls
 
 LEAST = 0.2  # solid fraction below which nothing is drawn, because the Gaussian extends beyond the surface
+LEAST_ROOM = 0.02  # of a cell that is cut by a wall
 RANGE = 0.3  # of the largest solid fraction; the colours span it, and the surface below it is grey
 LEAST_PITCH = 0.17  # inch between bars
-LONGEST = 0.6  # (s1 - s2)/(s1 + s2) of a bar as long as the pitch
-LEGEND_VALUE = 0.3  # (s1 - s2)/(s1 + s2) of the bar in the legend
+LONGEST = 0.6  # (p1 - p2)/(p1 + p2) of a bar as long as the pitch
+LEGEND_VALUE = 0.3  # (p1 - p2)/(p1 + p2) of the bar in the legend
 
 
 def draw(run, state):
     """Figure of the last state."""
     table = analysis_table(run, state, "fields", "there is no heap")
-    dense = table["solid_fraction"] >= LEAST
+    filled = before_walls(table, "solid_fraction")
+    dense = filled >= LEAST
     if not dense.any():
         raise NotDrawn("there is no heap")
     pressure, anisotropy, angle = principal(table)
     upper, lower = make_panels(run, state, [BAR_ROW, BAR_ROW + LEGEND_ROW])
-    solid_fraction = np.ma.masked_where(~dense, table["solid_fraction"])
+    solid_fraction = np.ma.masked_where(~dense, filled)
     top = 0.05 * np.ceil(solid_fraction.max() / 0.05)
     colours = colormaps[style.PACKING].with_extremes(under=style.FAINT)
-    packing = _map(upper, table, solid_fraction, colours, Normalize((1.0 - RANGE) * top, top))
-    load = np.ma.masked_where(~dense, pressure)
-    load_map = _map(lower, table, load, style.LOAD, Normalize(min(0.0, load.min()), load.max() or 1.0))
+    packing = field_map(upper, table, solid_fraction, colours, Normalize((1.0 - RANGE) * top, top))
+    load = np.ma.masked_where(~dense, pressure / np.maximum(table["room"], LEAST_ROOM))
+    load_map = field_map(lower, table, load, style.LOAD, Normalize(min(0.0, load.min()), load.max() or 1.0))
     bars, pitch = _bars(table, lower, dense & (pressure > 0.0), anisotropy, angle)
     width = min(0.9, 0.06 * pitch * lower.points_per_length)
     lower.axes.add_collection(LineCollection(bars, colors=style.INK, linewidths=width), autolim=False)
@@ -53,7 +55,7 @@ def draw(run, state):
 
 
 def principal(table):
-    """Pressure (s1 + s2)/2, anisotropy (s1 - s2)/(s1 + s2) with NaN at pressures <= 0, angle of the axis of s1 from x."""
+    """Pressure (p1 + p2)/2, anisotropy (p1 - p2)/(p1 + p2) with NaN at pressures <= 0, angle of the axis of p1 from x."""
     xx, yy = table["stress_xx"], table["stress_yy"]
     xy = 0.5 * (table["stress_xy"] + table["stress_yx"])
     pressure = 0.5 * (xx + yy)
@@ -62,13 +64,19 @@ def principal(table):
     return pressure, anisotropy, 0.5 * np.arctan2(2.0 * xy, xx - yy)
 
 
-def _edges(centres, cell):
+def before_walls(table, name):
+    """A density as the mean over the part of each cell that walls leave to the heap; 0 where that is next to nothing."""
+    room = table["room"]
+    return np.where(room >= LEAST_ROOM, table[name] / np.maximum(room, LEAST_ROOM), 0.0)
+
+
+def edges(centres, cell):
     return np.append(centres - 0.5 * cell, centres[-1] + 0.5 * cell)
 
 
-def _map(panel, table, values, colours, norm):
+def field_map(panel, table, values, colours, norm):
     cell = table.attributes["cell"]
-    x, y = (_edges(table[name], cell) for name in ("x", "y"))
+    x, y = (edges(table[name], cell) for name in ("x", "y"))
     return panel.axes.pcolormesh(x, y, values, cmap=colours, norm=norm, rasterized=True, zorder=0.4)
 
 
@@ -90,6 +98,6 @@ def _bars(table, panel, chosen, anisotropy, angle):
 def _handle(pitch, width):
     """The bar of the legend; `pitch` and `width` in points."""
     length = pitch * LEGEND_VALUE / LONGEST
-    name = f"axis of the major principal stress; this long: (σ₁ − σ₂)/(σ₁ + σ₂) = {LEGEND_VALUE:g}"
+    name = f"axis of the major principal stress; this long: (p₁ − p₂)/(p₁ + p₂) = {LEGEND_VALUE:g}"
     bar = dict(linestyle="none", marker="_", markersize=length, markeredgewidth=width, color=style.INK)
     return Line2D([], [], label=name, **bar)

@@ -21,6 +21,8 @@ Columns<Fields> columns_of_fields() {
   Columns<Fields> columns{
       with_rows("columns", array("x", &Fields::x, "L", "centres of the cells, ascending")),
       array("y", &Fields::y, "L", "centres of the cells, ascending"),
+      field("room", &Fields::room, "",
+            "fraction of the cell that walls leave to the heap; a density over it is the mean before the wall"),
       field("density", &Fields::density, "M/L^2", "mass of the grains in the heap per area"),
       field("solid_fraction", &Fields::solid_fraction, "", "their disc area per area"),
   };
@@ -35,6 +37,23 @@ Columns<Fields> columns_of_fields() {
         k == 0 ? "support_x" : "support_y", [=](const Fields& fields) -> const auto& { return fields.support[k]; },
         "M/(L T^2)", "force per area of fixed grains and walls on the heap"));
   }
+  for (std::size_t k = 0; k < 2; ++k) {
+    columns.push_back(field(
+        k == 0 ? "velocity_x" : "velocity_y", [=](const Fields& fields) -> const auto& { return fields.velocity[k]; },
+        "L/T", "momentum over mass; NaN far from the heap"));
+  }
+  columns.push_back(field("temperature", &Fields::temperature, "L^2/T^2",
+                          "granular temperature: variance of a velocity component about the local linear flow; NaN "
+                          "where fewer than about four grains are near"));
+  columns.push_back(field("contacts", &Fields::contacts, "1/L^2", "contacts above the force threshold per area"));
+  constexpr const char* fabric[] = {"fabric_xx", "fabric_xy", "fabric_yy"};
+  for (std::size_t k = 0; k < 3; ++k) {
+    columns.push_back(field(
+        fabric[k], [=](const Fields& fields) -> const auto& { return fields.fabric[k]; }, "",
+        "mean of n n over these contacts, n the normal: xx + yy = 1; NaN far from them"));
+  }
+  columns.push_back(field("coordination", &Fields::coordination, "",
+                          "mean number of these contacts per grain, those with the base and walls included"));
   return columns;
 }
 
