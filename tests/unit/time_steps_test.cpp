@@ -95,29 +95,10 @@ TEST(Every, MultiplesOfAnyInterval) {
   }
 }
 
-// Frames fall on rows of the series: the nearest number of rows, not of steps.
-TEST(Every, MultiplesOfMultiples) {
-  const TimeSteps steps{0.0007, true};
-  const Every rows(0.25, steps);   // 357 steps
-  const Every frames(30.0, rows);  // 120 rows, as 30 / (357 * 0.0007) = 120.05
-  EXPECT_EQ(frames.after(0.0), steps.after(120L * 357));
-  EXPECT_EQ(frames.after(steps.after(120L * 357)), steps.after(240L * 357));
-  EXPECT_TRUE(frames.latest(steps.after(120L * 357)));
-  EXPECT_TRUE(frames.latest(steps.after(120L * 357 + 356)));
-  EXPECT_FALSE(frames.latest(steps.after(120L * 357 + 357)));
-  EXPECT_FALSE(frames.latest(steps.after(120L * 357 - 1)));
-  const Every free(0.3, Every(0.1, TimeSteps{}));
-  EXPECT_NEAR(free.after(0.0), 0.3, 1e-15);
-  EXPECT_TRUE(free.latest(0.35));
-  EXPECT_FALSE(free.latest(0.45));
-}
-
 TEST(Every, Never) {
   const Every never(0.0, TimeSteps{0.1, true});
   EXPECT_TRUE(never.never());
   EXPECT_EQ(never.after(1.0), std::numeric_limits<double>::infinity());
-  EXPECT_FALSE(never.latest(1.0));
-  EXPECT_TRUE(Every(0.0, Every(1.0, TimeSteps{})).never());
 }
 
 }  // namespace

@@ -57,17 +57,8 @@ class Every {
   /// Multiples of an interval [T], rounded to whole steps; none if it is 0.
   Every(double interval, const TimeSteps& steps) : steps_(steps) {
     if (!(interval > 0.0)) return;
-    unit_ = interval_ = steps.rounded(interval);
+    interval_ = steps.rounded(interval);
     count_ = steps.equal() ? steps.count(interval_) : 1;
-  }
-
-  /// Every n-th of the times of another, where n is at least one and brings the interval nearest to `interval` [T];
-  /// none if that is 0.
-  Every(double interval, const Every& of) : steps_(of.steps_), unit_(of.interval_) {
-    if (!(interval > 0.0) || of.never()) return;
-    const double multiple = std::max(1.0, std::round(TimeSteps::bounded(interval / unit_)));
-    count_ = static_cast<long>(TimeSteps::bounded(static_cast<double>(of.count_) * multiple));
-    interval_ = unit_ * multiple;
   }
 
   bool never() const { return count_ == 0; }
@@ -90,16 +81,8 @@ class Every {
     return multiple * interval_;
   }
 
-  /// For multiples built from those of another: whether the latest of the other's times at `time` is one of these.
-  bool latest(double time) const {
-    if (never()) return false;
-    if (steps_.equal()) return steps_.count(time) / steps_.count(unit_) * steps_.count(unit_) % count_ == 0;
-    return std::fmod(std::floor(time / unit_), std::round(interval_ / unit_)) == 0.0;
-  }
-
  private:
   TimeSteps steps_;
-  double unit_ = 0.0;      // [T] between the times of the other
   double interval_ = 0.0;  // [T]
   long count_ = 0;         // steps in the interval, or 1 where steps vary; 0: never
 };

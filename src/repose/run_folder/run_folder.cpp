@@ -124,13 +124,12 @@ RunFolder::RunFolder(std::string path, const Checkpoint& checkpoint, Simulation&
   next_slot_ = 1 - checkpoint.slot();
 }
 
-/// Writes the state with every so many rows of the series. The last state of a run is no frame.
+/// Writes the state at regular times.
 class RunFolder::Frames final : public Observer {
  public:
   Frames(RunFolder& folder, const Every& times) : folder_(folder), times_(times) {}
 
   double due_after(double time) const override { return times_.after(time); }
-  bool due_at_end(double time) const override { return times_.latest(time); }
   void observe(const Simulation& simulation) override {
     if (simulation.status() != Status::running) return;
     const auto record = simulation.record();
@@ -145,7 +144,7 @@ class RunFolder::Frames final : public Observer {
 };
 
 void RunFolder::run(Simulation& simulation, const std::atomic<bool>& interrupt) {
-  simulation.add(std::make_unique<Frames>(*this, Every(simulation.scene().output.frames, simulation.row_times())));
+  simulation.add(std::make_unique<Frames>(*this, Every(simulation.scene().output.frames, simulation.time_steps())));
   simulation.run([&] {
     const bool last = interrupt;
     keep(simulation, last);

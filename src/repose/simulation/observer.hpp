@@ -21,8 +21,8 @@ class Observer {
   /// resumed run is observed at the same times.
   virtual double due_after(double time) const = 0;
 
-  /// Whether it is due, too, with the row of the series that ends a run at a time [T] between two regular rows.
-  virtual bool due_at_end(double /*time*/) const { return false; }
+  /// Whether it is due, too, at the end of a run.
+  virtual bool due_at_end() const { return false; }
 
   virtual void observe(const Simulation& simulation) = 0;
 };

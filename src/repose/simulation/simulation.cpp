@@ -29,6 +29,26 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double longest_batch = 1e7;
 constexpr double least_cost = 20.0;  // of a step, in grain-steps
 
+/// Drops grains that have left the box since the last row, and their contacts; returns how many there were.
+std::int64_t drop_outside(const Box<2>& box, Grains<2>& grains, Contacts<2>& contacts) {
+  std::vector<std::uint32_t> inside;
+  std::vector<std::int64_t> left;
+  for (std::uint32_t k = 0; k < grains.size(); ++k) {
+    const auto& grain = grains.line[k];
+    if (!grain.fixed() && box.outside(grain.position)) {
+      left.push_back(grains.id[k]);
+    } else {
+      inside.push_back(k);
+    }
+  }
+  if (left.empty()) return 0;
+  grains.reorder(inside);
+  const auto has_left = [&](std::int64_t id) { return std::find(left.begin(), left.end(), id) != left.end(); };
+  std::erase_if(contacts.list,
+                [&](const auto& contact) { return has_left(contact.first) || has_left(contact.second); });
+  return static_cast<std::int64_t>(left.size());
+}
+
 /// The scene as the run keeps it: its start is the copy that lies beside it in the run folder.
 Scene with_own_start(Scene scene) {
   auto& start = scene.start;
@@ -52,7 +72,7 @@ Simulation::Simulation(Scene scene, int threads)
       row_times_(scene_.output.series, steps_),
       base_forces_(grains_, scene_.output.window, 1e-9 * steps_.length),
       rest_(scene_, steps_),
-      track_(Every(scene_.output.track, row_times_)) {
+      track_(Every(scene_.output.track, steps_)) {
   method_->grains_added(grains_);
 }
 
@@ -114,7 +134,7 @@ void Simulation::take_batch(double end) {
          fmt::format("at rest: kinetic energy and net force of every grain below stop.at_rest = {} for output.window",
                      *scene_.stop.at_rest));
   }
-  observe(before, extra_row);
+  observe(before, last || status_ != Status::running);
   if (status_ == Status::running && complete) stop(Status::finished, "all grains are there");
   if (status_ == Status::running && out_of_time) {
     stop(Status::finished, fmt::format("reached stop.time = {}", *scene_.stop.time));
@@ -148,9 +168,9 @@ bool Simulation::rests(double before) {
   return lasts;
 }
 
-void Simulation::observe(double before, bool extra_row) {
+void Simulation::observe(double before, bool ends) {
   const auto is_due = [&](const Observer& observer) {
-    return observer.due_after(before) <= time() || (extra_row && observer.due_at_end(time()));
+    return observer.due_after(before) <= time() || (ends && observer.due_at_end());
   };
   if (is_due(track_)) track_.observe(*this);
   for (const auto& observer : observers_) {
@@ -254,7 +274,11 @@ void Simulation::restored(Track track) {
 Record Simulation::record() const {
   Record record;
   record.scene = scene_;
+  record.box = make_box(scene_);
+  auto present = grains_;
   record.contacts = contacts();
+  const auto left = drop_outside(record.box, present, record.contacts);
+  record.grains = OrderedGrains<2>(std::move(present), record.box);
   auto& facts = record.facts;
   facts.status = status_;
   facts.message = message_;
@@ -265,11 +289,9 @@ Record Simulation::record() const {
   facts.wall_seconds = wall_seconds();
   facts.grain_steps = grain_steps_;
   facts.released = released();
-  facts.lost = lost();
+  facts.lost = lost() + left;
   facts.support_force = base_forces_.force_on_supports(record.contacts);
-  record.box = make_box(scene_);
   record.walls = recorded_walls(scene_, method_->walls(), time());
-  record.grains = OrderedGrains<2>(grains_, record.box);
   facts.state_hash = state_hash(*record.grains, record.contacts);
   record.series = series_.rows();
   record.wall_series = series_.walls();

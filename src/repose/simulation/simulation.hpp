@@ -74,12 +74,12 @@ class Simulation {
   Status status() const { return status_; }
   const std::string& message() const { return message_; }  ///< why it stopped
   double time() const { return method_->time(); }
-  double time_step() const { return steps_.length; }     ///< [T] 0 where steps vary
-  long steps() const { return taken_; }                  ///< or events
-  const Every& row_times() const { return row_times_; }  ///< of the regular rows of the series
-  std::size_t moving() const { return moving_; }         ///< grains that can move
-  std::int64_t released() const;                         ///< grains, by the source or the method
-  std::int64_t lost() const;                             ///< grains that have left
+  double time_step() const { return steps_.length; }  ///< [T] 0 where steps vary
+  long steps() const { return taken_; }               ///< or events
+  const TimeSteps& time_steps() const { return steps_; }
+  std::size_t moving() const { return moving_; }  ///< grains that can move
+  std::int64_t released() const;                  ///< grains, by the source or the method
+  std::int64_t lost() const;                      ///< grains that have left
   int threads() const { return team_.size(); }
   double grain_steps() const { return grain_steps_; }  ///< moving grains times steps
   double wall_seconds() const;                         ///< in advances, those before a checkpoint too
@@ -90,7 +90,7 @@ class Simulation {
   double next_due(double end) const;
   bool rests(double before);
   void add_row();
-  void observe(double before, bool extra_row);
+  void observe(double before, bool ends);
   void release_due_grains();
   void begin_due_loads();
   void drop_lost_grains();

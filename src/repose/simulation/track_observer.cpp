@@ -16,7 +16,7 @@ void TrackObserver::observe(const Simulation& simulation) {
   moment.grains.reserve(simulation.moving());
   for (const auto k : by_id(grains)) {
     const auto& grain = grains.line[k];
-    if (grain.fixed()) continue;
+    if (grain.fixed() || box.outside(grain.position)) continue;
     const auto place = box.wrapped(grain.position);
     moment.grains.push_back({grains.id[k], static_cast<float>(place[0]), static_cast<float>(place[1]),
                              static_cast<float>(grain.radius), static_cast<float>(kinetic_energy(grain)), in_heap[k]});

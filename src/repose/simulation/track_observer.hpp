@@ -7,13 +7,13 @@
 
 namespace repose {
 
-/// Records where the moving grains are with every so many rows of the series.
+/// Records where the moving grains are, at regular times and at the end.
 class TrackObserver final : public Observer {
  public:
   explicit TrackObserver(const Every& times) : times_(times) {}
 
   double due_after(double time) const override { return times_.after(time); }
-  bool due_at_end(double time) const override { return times_.latest(time); }
+  bool due_at_end() const override { return !times_.never(); }
   void observe(const Simulation& simulation) override;
 
   const Track& track() const { return track_; }
