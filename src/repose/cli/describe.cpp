@@ -4,6 +4,7 @@
 
 #include "repose/laws/impact.hpp"
 #include "repose/results/results.hpp"
+#include "repose/results/warnings.hpp"
 #include "repose/scene/materials.hpp"
 #include "repose/simulation/expectation.hpp"
 #include "repose/simulation/sources/initial.hpp"
@@ -39,7 +40,7 @@ std::string or_none(const std::optional<double>& value, const char* format) {
   return value ? fmt::format(fmt::runtime(format), *value) : "not defined";
 }
 
-/// Mean sweeps per step, and a warning if steps did not converge.
+/// Mean sweeps per step, and impacts whose restitution gave way.
 std::string describe_solver(const Record& record) {
   const auto* solver = record.scene.method->solver();
   if (solver == nullptr) return "";
@@ -47,12 +48,6 @@ std::string describe_solver(const Record& record) {
   if (all.steps == 0) return "";
   std::string text = fmt::format("solver           {:.3g} sweeps a step\n",
                                  static_cast<double>(all.sweeps) / static_cast<double>(all.steps));
-  if (all.unconverged > 0) {
-    text += fmt::format(
-        "warning          {} of {} steps did not converge within method.most_sweeps = {}: worst residual {:.2g} g dt, "
-        "method.tolerance = {:g}; a packing creeps while that lasts\n",
-        all.unconverged, all.steps, solver->most_sweeps, all.worst_residual, solver->tolerance);
-  }
   if (all.reduced > 0) {
     text += fmt::format("restitution      gave way in {} of {} impacts, so that the kinetic energy does not rise\n",
                         all.reduced, all.impacts);
@@ -198,6 +193,7 @@ std::string describe_result(const Record& record, const Results& results) {
       facts.time, facts.steps, facts.wall_seconds, facts.grain_steps / std::max(facts.wall_seconds, 1e-9));
   text += fmt::format("grains           {} present, {} lost\n", moving_count(*record.grains), facts.lost);
   text += describe_solver(record);
+  for (const auto& warning : warnings_of(record)) text += fmt::format("warning          {}\n", warning);
   if (results.packing) text += describe_packing(*results.packing);
   if (!results.packing_problem.empty())
     text += fmt::format("packing          not measured: {}\n", results.packing_problem);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/core/version.hpp"
 #include "repose/results/registry.hpp"
+#include "repose/results/warnings.hpp"
 
 namespace repose {
 
@@ -42,6 +43,8 @@ void add_run(Registry& to) {
   add(measure("status", "", "\"running\", \"finished\", \"interrupted\" or \"failed\"",
               [](const Measured& run) { return status_text(run.record.facts.status); }));
   add(measure("stop_reason", "", "why the run stopped", fact(&RunFacts::message)));
+  add(of_run(measure("warnings", "", "what makes the results doubtful, a text each; empty if nothing does",
+                     [](const Measured& run) { return warnings_of(run.record); })));
   add(measure("grains", "", "moving grains present",
               [](const Measured& run) { return moving_count(*run.record.grains); }));
   add(measure("grains_released", "", "grains that the source has released", fact(&RunFacts::released)));
