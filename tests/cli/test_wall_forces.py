@@ -103,8 +103,8 @@ def test_csv_has_the_walls_by_name(tmp_path):
     assert {row["name"] for row in csv.DictReader(lines)} == {"table", "piston"}
 
 
-# A run that is interrupted and resumed has the same rows of walls, to the bit.
-def test_rows_of_walls_survive_a_checkpoint(tmp_path):
+# Moments are summed in the order of the contacts, which is that of ids.
+def test_rows_of_walls_have_the_same_bits_for_two_threads(tmp_path):
     text = PRESS.replace("at_rest = 1e-6\ntime = 100.0", "time = 10.0")
     run(tmp_path, text)
     (tmp_path / "again").mkdir()
