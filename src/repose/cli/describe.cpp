@@ -3,6 +3,7 @@
 #include "repose/cli/describe.hpp"
 
 #include "repose/laws/impact.hpp"
+#include "repose/record/force_unit.hpp"
 #include "repose/results/results.hpp"
 #include "repose/results/warnings.hpp"
 #include "repose/scene/materials.hpp"
@@ -140,9 +141,9 @@ std::string describe_contacts(const Scene& scene) {
   const double column = scene.expected_column();
   // The speed after a fall of one diameter; without gravity, a thousandth of a diameter in a time step.
   const double speed = scene.gravity > 0.0 ? std::sqrt(2.0 * scene.gravity * d) : 1e-3 * d / step;
-  std::string text = fmt::format(
-      "contacts         grains of {:g} that meet at {:.3g}; overlaps at rest in diameters, a column of {:.0f} grains\n",
-      d, speed, column);
+  std::string text = fmt::format("contacts         grains of {:g} that meet at {:.3g}", d, speed);
+  if (weight > 0.0) text += fmt::format("; overlaps at rest in diameters, a column of {:.0f} grains", column);
+  text += "\n";
   text += fmt::format("  {:24} {:>11} {:>12} {:>12} {:>12} {:>7}\n", "between", "restitution", "contact time",
                       "under one", "under column", "steps");
   std::string warnings;
@@ -155,8 +156,9 @@ std::string describe_contacts(const Scene& scene) {
       const double steps = impact.duration / step;
       const double under_column = static_overlap(law, m, d, column * weight) / d;
       const auto between = names.size() == 1 ? std::string("any two") : names[a] + " and " + names[b];
-      text += fmt::format("  {:24} {:11.4f} {:12.4g} {:12.3g} {:12.3g} {:7.1f}\n", between, impact.restitution,
-                          impact.duration, static_overlap(law, m, d, weight) / d, under_column, steps);
+      const auto shown = [&](double overlap) { return weight > 0.0 ? fmt::format("{:.3g}", overlap) : "-"; };
+      text += fmt::format("  {:24} {:11.4f} {:12.4g} {:>12} {:>12} {:7.1f}\n", between, impact.restitution,
+                          impact.duration, shown(static_overlap(law, m, d, weight) / d), shown(under_column), steps);
       constexpr double least_steps = 10.0;
       constexpr double most_overlap = 0.05;
       if (steps < least_steps) {
@@ -207,8 +209,8 @@ std::string describe_result(const Record& record, const Results& results) {
   };
   text += fmt::format("angle of repose  left {} right {} moments {} deg\n", flank(heap.left), flank(heap.right),
                       heap.moments_angle_deg ? fmt::format("{:.1f}", *heap.moments_angle_deg) : "-");
-  text += fmt::format("coordination     {} (contacts above {:g} grain weights)\n",
-                      or_none(results.network.coordination, "{:.3f}"), record.scene.analysis.force_threshold);
+  text += fmt::format("coordination     {} (contacts above {:g} {})\n", or_none(results.network.coordination, "{:.3f}"),
+                      record.scene.analysis.force_threshold, force_unit_name(record.scene));
   if (results.core.grains > 0) {
     text += fmt::format("core             {} grains, solid fraction {:.4f}, coordination {:.3f}\n", results.core.grains,
                         *results.core.solid_fraction, *results.core.coordination);
@@ -220,7 +222,7 @@ std::string describe_result(const Record& record, const Results& results) {
     text += fmt::format("avalanches       {} of at least {} grains in {} intervals\n", results.motion.avalanches.size(),
                         record.scene.analysis.avalanche, results.motion.rows.size());
   }
-  text += fmt::format("weight error     {}\n", or_none(results.weight_error, "{:.2e}"));
+  if (record.scene.gravity > 0.0) text += fmt::format("weight error     {}\n", or_none(results.weight_error, "{:.2e}"));
   return text;
 }
 
