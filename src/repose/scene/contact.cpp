@@ -221,10 +221,18 @@ void check_force_laws(const std::string& prefix, const MaterialContact& contact,
   }
 }
 
+void check_adhesion(const std::string& prefix, const MaterialContact& contact, Problems& problems) {
+  if (!std::holds_alternative<Jkr>(contact.cohesion) || is_hertz(contact.normal)) return;
+  if (!problems.sound(prefix + "cohesion.law") || !problems.sound(prefix + "normal.law")) return;
+  problems.problem(prefix + "cohesion.law", fmt::format(" = \"jkr\": needs {}normal.law = \"hertz\"", prefix));
+}
+
 void check_between(const std::string& prefix, const MaterialContact& contact, const Scene& scene, Problems& problems) {
   const auto traits = scene.method->traits();
   if (traits.impulse_laws) check_impulse(prefix, contact.impulse, scene, problems);
-  if (traits.force_laws) check_force_laws(prefix, contact, scene, problems);
+  if (!traits.force_laws) return;
+  check_force_laws(prefix, contact, scene, problems);
+  check_adhesion(prefix, contact, problems);
 }
 
 /// A ratio of stiffnesses that agrees with the materials.

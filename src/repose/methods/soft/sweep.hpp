@@ -51,13 +51,15 @@ REPOSE_FN auto contact_times(const SweepInput<D, Law>& in) {
 template <bool Periodic, bool Synchronised, bool Full, int D, class Law>
 void push_edges(const SweepInput<D, Law>& in, const Grains<D>& grains, Workspace<D, Full>& mine) {
   Tangent<D> no_roll{};
+  std::uint8_t no_bond = 0;
   for (std::size_t e = 0; e < mine.edges.size(); ++e) {
     const auto [i, k] = mine.edges[e];
     const auto j = in.pairs.partner[k];
     mine.edge_push[e] = {};
     pair_force<Periodic>(in.laws.of(grains.material[i], grains.material[j]), grains.line[i], grains.line[j],
                          in.settings.box, contact_times<Synchronised>(in), in.pairs.slip[k],
-                         Full ? in.pairs.roll[k] : no_roll, mine.edge_push[e]);
+                         Full ? in.pairs.roll[k] : no_roll, in.pairs.bonded.empty() ? no_bond : in.pairs.bonded[k],
+                         mine.edge_push[e]);
   }
 }
 
@@ -120,6 +122,8 @@ void add_work(GrainWork& work, const Slot<D, true>& sum, const WallPush<D, true>
   work.damping -= power(sum.damping) * kick;
   work.friction -= (power(sum.friction) + turning(sum.rim_torque) - turning(at_walls.all.rim_torque)) * kick;
   work.walls -= (power(at_walls.dissipative) + turning(at_walls.all.rim_torque)) * kick;
+  work.damping += sum.lost;
+  work.walls += at_walls.all.lost;
 }
 
 /// The push of the walls on grain i. The force of each wall is also stored with its pair.
@@ -143,6 +147,7 @@ WallPush<D, Full> push_of_walls(const SweepInput<D, Law>& in, const Grains<D>& g
     if (!in_reach || !contacts.acts(*touch)) {
       contact.slip = {};
       contact.roll = {};
+      contact.bonded = 0;
       contact.force = {};
       contact.dissipative = {};
       continue;
@@ -150,7 +155,8 @@ WallPush<D, Full> push_of_walls(const SweepInput<D, Law>& in, const Grains<D>& g
     const auto& wall = walls[contact.wall];
     const auto& law = in.laws.of(grains.material[i], wall.material);
     const auto pair = wall_geometry(law, grain, wall, mine.walls_now[contact.wall], touch->place);
-    ContactHistory<Tangent<D>> history{turned(contact.slip, pair.normal), turned(contact.roll, pair.normal)};
+    ContactHistory<Tangent<D>> history{turned(contact.slip, pair.normal), turned(contact.roll, pair.normal),
+                                       contact.bonded != 0};
     const auto force = wall_contact(law, wall, pair, contact_times<Synchronised>(in), history);
     contact.slip = history.slip;
     contact.roll = history.roll;
@@ -163,6 +169,8 @@ WallPush<D, Full> push_of_walls(const SweepInput<D, Law>& in, const Grains<D>& g
     if constexpr (Full) {
       contact.dissipative = push.damping + push.friction;
       sum.dissipative += contact.dissipative;
+      if (contact.bonded != 0 && !history.bonded) sum.all.lost += energy_of_break(law.cohesion, pair.touch);
+      contact.bonded = history.bonded ? 1 : 0;
     }
   }
   return sum;
@@ -239,6 +247,8 @@ void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Wor
   const std::uint32_t* const partner = in.pairs.partner.data();
   Tangent<D>* const history = in.pairs.slip.data();
   [[maybe_unused]] Tangent<D>* const roll = in.pairs.roll.data();
+  [[maybe_unused]] std::uint8_t* const bonded = in.pairs.bonded.empty() ? nullptr : in.pairs.bonded.data();
+  [[maybe_unused]] std::uint8_t no_bond = 0;
   Grain<D>* const line = grains.line.data();
   Slot<D, Full>* const ring = mine.ring.data();
   const std::size_t mask = mine.ring.size() - 1;
@@ -274,7 +284,8 @@ void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Wor
       Push<D, Full> push;
       const Law& pair_law = OneMaterial ? law : in.laws.of(grains.material[i], grains.material[j]);
       if constexpr (Full) {
-        if (!pair_force<Periodic>(pair_law, grain, line[j], box, times, history[k], roll[k], push)) continue;
+        auto& bond = bonded == nullptr ? no_bond : bonded[k];
+        if (!pair_force<Periodic>(pair_law, grain, line[j], box, times, history[k], roll[k], bond, push)) continue;
       } else {
         if (!pair_force<Periodic>(pair_law, grain, line[j], box, times, history[k], push)) continue;
       }
