@@ -35,7 +35,7 @@ REPOSE_FN ContactForce<Tangential> contact_force(const Law& law, const Touch<dou
   ContactForce<Tangential> force{
       normal_force(law.normal, touch), attraction(law.cohesion, touch, history.bonded), {}, {}};
   if constexpr (Law::coheres) {
-    if (!(touch.engagement > 0.0)) {  // bonded beyond the reach of the normal law
+    if (touch.engagement < 0.0) {  // bonded beyond the reach of the normal law
       history.slip = Tangential{};
       history.roll = Tangential{};
       return force;
@@ -64,7 +64,7 @@ REPOSE_FN ContactForce<Tangential> contact_force(const Law& law, const Touch<dou
   const double before = time_before_force(times, touch, history);
   const auto force = contact_force(law, touch, slip_velocity, roll_velocity, before, history);
   if constexpr (Law::coheres) {
-    if (!(touch.engagement > 0.0)) return force;
+    if (touch.engagement < 0.0) return force;
   }
   history.slip = displaced(law.tangential, touch, slip_velocity, times.after, history.slip);
   history.roll = displaced(law.rolling, touch, roll_velocity, times.after, history.roll);
