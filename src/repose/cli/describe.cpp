@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace repose {
 
@@ -94,6 +95,23 @@ std::string describe_force_range(const ForceRange& range) {
   return text;
 }
 
+/// The overlap [L] at rest of two grains of diameter d and mass m under a load [M L/T^2].
+double rest_overlap(const ContactLaws& laws, double m, double d, double load) {
+  const auto* adhesion = std::get_if<Jkr>(&laws.cohesion);
+  if (adhesion != nullptr) return at_radius(*adhesion, 0.25 * d).overlap_under(load);
+  return static_overlap({laws.normal}, m, d, load);
+}
+
+/// The pull-off force of two grains of diameter d, where they adhere.
+std::string adhesion_text(const ContactLaws& laws, double d, double weight, const std::string& between) {
+  const auto* adhesion = std::get_if<Jkr>(&laws.cohesion);
+  if (adhesion == nullptr) return "";
+  const double pull = 1.5 * std::numbers::pi * adhesion->surface_energy * 0.25 * d;
+  const auto in_weights = weight > 0.0 ? fmt::format(", {:.4g} grain weights", pull / weight) : "";
+  return fmt::format("adhesion         {}: pull-off force {:.4g}{}, on a wall twice that; restitution is without it\n",
+                     between, pull, in_weights);
+}
+
 /// The speed of a sound wave along a chain of nominal grains of the first material, sqrt(k/m) d.
 std::string sound_text(const Scene& scene, const ContactLaws& laws) {
   if (!(scene.gravity > 0.0)) return "";
@@ -146,26 +164,29 @@ std::string describe_contacts(const Scene& scene) {
   text += "\n";
   text += fmt::format("  {:24} {:>11} {:>12} {:>12} {:>12} {:>7}\n", "between", "restitution", "contact time",
                       "under one", "under column", "steps");
+  std::string adhesion;
   std::string warnings;
   for (std::size_t a = 0; a < names.size(); ++a) {
     for (std::size_t b = a; b < names.size(); ++b) {
-      const AnyNormal law{laws.table[a * names.size() + b].normal};
+      const auto& of_pair = laws.table[a * names.size() + b];
+      const AnyNormal law{of_pair.normal};
       const double m = 2.0 * scene.mass_of(d, names[a]) * scene.mass_of(d, names[b]) /
                        (scene.mass_of(d, names[a]) + scene.mass_of(d, names[b]));
       const auto impact = head_on(law, {.mass = m, .reduced_mass = 0.5 * m, .diameter = d, .speed = speed});
       const double steps = impact.duration / step;
-      const double under_column = static_overlap(law, m, d, column * weight) / d;
+      const double under_column = rest_overlap(of_pair, m, d, column * weight) / d;
       const auto between = names.size() == 1 ? std::string("any two") : names[a] + " and " + names[b];
       const auto shown = [&](double overlap) { return weight > 0.0 ? fmt::format("{:.3g}", overlap) : "-"; };
       text += fmt::format("  {:24} {:11.4f} {:12.4g} {:>12} {:>12} {:7.1f}\n", between, impact.restitution,
-                          impact.duration, shown(static_overlap(law, m, d, weight) / d), shown(under_column), steps);
+                          impact.duration, shown(rest_overlap(of_pair, m, d, weight) / d), shown(under_column), steps);
+      adhesion += adhesion_text(of_pair, d, weight, between);
       constexpr double least_steps = 10.0;
       constexpr double most_overlap = 0.05;
       if (steps < least_steps) {
         warnings += fmt::format("warning          {}: fewer than {:g} steps in a contact\n", between, least_steps);
       }
       constexpr double nearly_undamped = 0.95;
-      const auto& tangential = laws.table[a * names.size() + b].tangential;
+      const auto& tangential = of_pair.tangential;
       if (impact.restitution > nearly_undamped && std::holds_alternative<Cumulative>(tangential)) {
         warnings += fmt::format(
             "warning          {}: the cumulative law creates energy in oblique impacts, several per cent at a friction "
@@ -178,7 +199,7 @@ std::string describe_contacts(const Scene& scene) {
       }
     }
   }
-  text += sound_text(scene, laws.table.front());
+  text += adhesion + sound_text(scene, laws.table.front());
   if (const double largest = scene.largest_step_of_bed(); step > largest) {
     warnings += fmt::format(
         "warning          grains of a dense bed under the column may never come to rest at this step; at {:.3g} and "
