@@ -97,6 +97,6 @@ def test_jkr_needs_hertz_and_an_energy(lab):
     said = lab.refused("run", "scene.toml", parts=["scene.toml:3: contact.cohesion.law = \"jkr\": needs contact.normal.law = \"hertz\""])
     assert len(said.strip().splitlines()) == 1
     lab.scene(laws(1e5) + tail)
-    lab.refused("run", "scene.toml", parts=["contact.cohesion.surface_energy = 100000: a bond on a wall would stretch"])
+    lab.refused("run", "scene.toml", parts=["contact.cohesion.surface_energy = 100000: a bond to a wall would bridge a gap"])
     lab.scene(laws(0.0) + tail)
     lab.refused("run", "scene.toml", parts=["contact.cohesion.surface_energy = 0: must be > 0 [M/T^2]"])

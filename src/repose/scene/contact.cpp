@@ -319,7 +319,7 @@ LawScales scales_of(const Scene& scene, const MaterialPair& pair) {
   return scales_of(scene, pair.contact.friction, scene.material_number(pair.first), scene.material_number(pair.second));
 }
 
-/// Adhesion is a matter of small contact areas: a bond that could stretch over much of a grain is refused.
+/// Adhesion is a matter of small contact areas: a bond across a gap that is large against a grain is refused.
 void check_bonds(const Scene& scene, Problems& problems) {
   if (!scene.method->traits().force_laws || !problems.none()) return;
   constexpr double longest = 0.2;  // smallest diameters
@@ -328,12 +328,12 @@ void check_bonds(const Scene& scene, Problems& problems) {
     const auto* adhesion = std::get_if<Jkr>(&laws.table[a * laws.materials + b].cohesion);
     const auto key = prefix + "cohesion.surface_energy";
     if (adhesion == nullptr || !problems.sound(key)) return;
-    const double stretch = reach_of_bonds(*adhesion, scene.smallest_diameter()) - 1.0;
-    if (!(stretch > longest)) return;
+    const double gap = reach_of_bonds(*adhesion, scene.smallest_diameter()) - 1.0;
+    if (!(gap > longest)) return;
     problems.problem(
-        key, fmt::format(" = {}: a bond on a wall would stretch over {:.3g} diameters of the smallest grain; at "
+        key, fmt::format(" = {}: a bond to a wall would bridge a gap of {:.3g} diameters of the smallest grain; at "
                          "most {}: grains are too soft for it",
-                         adhesion->surface_energy, stretch, longest));
+                         adhesion->surface_energy, gap, longest));
   };
   for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
     const auto& pair = scene.pairs[k];
