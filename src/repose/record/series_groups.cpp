@@ -100,12 +100,12 @@ const Columns<Record>& wall_series_columns() {
           "wall_pressure", pressure_of,
           "that force against the normal, over the length; positive into the wall; NaN without a length"),
       wall_stress_column("wall_shear", shear_of, "that force along the normal turned by +90 degrees, over the length"),
-      newer(wall_column(
+      wall_column(
           "wall_length", [](WallRow& row) -> double& { return row.length; }, "L",
-          "of a finite wall; of a plane the part between other planes, and else as far as moving grains reach")),
-      newer(wall_column(
+          "of a finite wall; of a plane the part between other planes, and else as far as moving grains reach"),
+      wall_column(
           "wall_moment", [](WallRow& row) -> double& { return row.moment; }, "M L^2/T^2",
-          "of the contacts at that time about the middle of that length, counter-clockwise")),
+          "of the contacts at that time about the middle of that length, counter-clockwise"),
   };
   return list;
 }

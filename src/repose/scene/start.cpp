@@ -69,7 +69,7 @@ void check_room(const StartState& state, const Scene& scene, Reader& reader) {
     if (row.fixed) continue;
     const auto wall = overlapping_wall(walls, now, box, row.position, row.radius * (1.0 - 2.0 * allowed), 1.0);
     if (!wall || ++count > most) continue;
-    const auto at = above(walls[*wall], from_wall(walls[*wall], now[*wall], row.position, box));
+    const auto at = above(walls[*wall], now[*wall].normal, from_wall(walls[*wall], now[*wall], row.position, box));
     const auto where = at.height < 0.0
                            ? fmt::format("its centre lies {:.3g} behind wall \"{}\"", -at.height, names[*wall])
                            : fmt::format("wall \"{}\" presses into it by {:.3g} diameters", names[*wall],
