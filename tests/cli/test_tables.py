@@ -124,7 +124,7 @@ def test_check_describes_a_dump(lab):
         "centres: x 0.4 to 9.6, y 1 to 1\n",
         "diameters: 1; masses: 1, by the scene\n",
         "deepest overlap: none\n",
-        "warning          start: the file's box is periodic along x, 10 wide, the scene's is not",
+        "warning          start.from: the file's box is periodic along x, 10 wide, the scene's is not",
     ):
         assert part in text, part
 
@@ -144,7 +144,7 @@ def test_wrapping(lab):
     assert shifted.position[:, 0] == pytest.approx([0.46, -0.5], abs=1e-13)
     assert shifted.position[:, 1] == pytest.approx([3, 3])
     wider = checked(lab, "pp.dump", ACROSS, rest=STILL.replace("[contact]", PERIODIC.format(6)))
-    assert "warning          start: the file's box is 10 wide, the scene's 12\n" in wider
+    assert "warning          start.from: the file's box is 10 wide, the scene's 12\n" in wider
 
 
 SI_DUMP = dump("id type x y radius\n1 1 0.001 0.001 0.0005\n", step=10, head="ITEM: UNITS\nsi\n")
@@ -165,13 +165,13 @@ def test_units_that_contradict(lab):
     lj = SI_DUMP.replace("si\n", "lj\n", 1)
     refused(lab, "lj.dump", lj, "has units reduced, the scene SI", rest=SI)
     small = checked(lab, "small.csv", "x,y,radius\n0,0.01,0.0025\n")
-    assert "warning          start: diameters of 0.005 are far from grains.diameter = 1" in small
+    assert "warning          start.from: diameters of 0.005 are far from grains.diameter = 1" in small
 
 
 def test_masses_that_differ(lab):
     text = checked(lab, "heavy.csv", "x,y,radius,mass\n0,1,0.5,7\n")
     assert "masses: 7, by the file" in text
-    assert "warning          start: masses in the file are 7 times" in text
+    assert "warning          start.from: masses in the file are 7 times" in text
 
 
 def test_deep_overlaps_are_named(lab):

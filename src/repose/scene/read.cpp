@@ -71,7 +71,10 @@ std::string apply(const std::string& setting, const std::string& origin, toml::t
 void check_all(const Scene& scene, Problems& problems) {
   check_species(scene, problems);
   check_slab(scene, problems);
-  if (scene.method->traits().has_forces()) check_contact(scene, problems);
+  if (scene.method->traits().has_forces()) {
+    check_force_scale(scene, problems);
+    check_contact(scene, problems);
+  }
   check_boundaries(scene, problems);
   check_sources(scene, problems);
   if (scene.method->traits().follows_time) check_stop(scene, problems);

@@ -77,7 +77,9 @@ struct Scene {
   double usual_diameter() const;                                       ///< [L] of such a grain
   double mass_of(double diameter, const std::string& material) const;  ///< [M] goes with the square of the diameter
   double grain_weight() const { return usual_mass() * gravity; }       ///< [M L/T^2] the unit of force of measures
-  MaterialLaws material_laws() const;                                  ///< the laws of every two materials
+  /// [M L/T^2] Base forces are given in it: the grain weight, or 1 without gravity.
+  double base_force_unit() const { return gravity > 0.0 ? grain_weight() : 1.0; }
+  MaterialLaws material_laws() const;  ///< the laws of every two materials
   ImpulseLaws impulse_laws() const;
 
   /// [L] How high a grain rises that starts at a velocity; 0 without gravity.

@@ -69,7 +69,7 @@ void check_units(const StartState& state, const Scene& scene, Problems& problems
                                scene.start.from, scene.start.path, file_units, scene_units, si ? "reduced" : "SI"));
 }
 
-void add_warnings(const StartState& state, const Scene& scene, bool width_given, std::vector<std::string>& warnings) {
+void add_warnings(const StartState& state, const Scene& scene, std::vector<std::string>& warnings) {
   if (of_run(state) || state.grains.empty()) return;
   const auto warn = [&](const std::string& text) { warnings.push_back(text); };
   const double width = 2.0 * scene.box.half_width;
@@ -90,7 +90,7 @@ void add_warnings(const StartState& state, const Scene& scene, bool width_given,
     if (box.sides[1] == "periodic") {
       warn("the file's box is periodic along its height: a scene has no such sides, so contacts through them are lost");
     }
-    const bool matters = periodic || scene.box.periodic() || width_given;
+    const bool matters = periodic || scene.box.periodic();  // else nothing happens at the sides
     if (matters && std::fabs(own - width) > 1e-6 * width) {
       warn(fmt::format("the file's box is {:.6g} wide, the scene's {:.6g}", own, width));
     }

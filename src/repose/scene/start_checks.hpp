@@ -15,8 +15,7 @@ namespace repose {
 void check_units(const StartState& state, const Scene& scene, Problems& problems);
 
 /// Adds what is suspicious in a file: sides and width of its box, sizes and masses far from those of the scene.
-/// `width_given` tells whether the scene sets the width of its own box.
-void add_warnings(const StartState& state, const Scene& scene, bool width_given, std::vector<std::string>& warnings);
+void add_warnings(const StartState& state, const Scene& scene, std::vector<std::string>& warnings);
 
 /// What was read, for `repose check`: format, snapshot, columns, units, box, extent, sizes, masses, deepest overlap.
 std::string describe_start(const StartState& state, const Scene& scene);
