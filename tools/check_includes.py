@@ -18,13 +18,14 @@ BELOW = {
     "neighbours": {"core"},
     "laws": {"core"},
     "boundaries": {"core", "laws"},
-    "theory": {"core"},
-    "io": {"core", "neighbours"},
+    "tables": {"core"},
+    "theory": {"core", "tables"},
+    "io": {"core", "neighbours", "tables"},
     "methods": {"core", "neighbours", "laws", "boundaries"},
     "analysis": {"core", "neighbours"},
-    "scene": {"core", "boundaries", "laws", "io"},
+    "scene": {"core", "neighbours", "boundaries", "laws", "tables", "io"},
 }
-KERNELS = {"core", "neighbours", "laws", "boundaries", "theory", "io"}
+KERNELS = {"core", "neighbours", "laws", "boundaries", "tables", "theory", "io"}
 BELOW["record"] = KERNELS | {"methods", "analysis", "scene"}
 # A simulation and what the analysis makes of its record never see each other.
 BELOW["simulation"] = BELOW["results"] = BELOW["record"] | {"record"}

@@ -256,7 +256,7 @@ def test_refused_starts(lab, heap):
             'scene.toml:4: base.kind = "row": the grains of start.from bring their base')
     refused(f"[start]\nfrom = '{heap}'\n[box]\nhalf_width = 4\n[stop]\ntime = 1\n", "scene.toml:2: start.from", "outside the box")
     (lab.path / "bad.csv").write_text("x,y,radius,colour\n0,0,0.5,1\n0,zero,0.5\n0,0,-1,1\n")
-    refused("[start]\nfrom = 'bad.csv'\n[stop]\ntime = 1\n", "bad.csv:1: colour: unknown column", "bad.csv:3: has 3 values",
+    refused("[start]\nfrom = 'bad.csv'\n[stop]\ntime = 1\n", "bad.csv:3: has 3 values; must have 4",
             "bad.csv:4: radius = -1: must be > 0")
     damaged = lab.path / "damaged"
     shutil.copytree(heap, damaged)

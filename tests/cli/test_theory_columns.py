@@ -167,9 +167,9 @@ def test_refusals(model, settings, complaint):
         ("# masses\nheight,apparent_mass\n1,2\n2,x\n", ":4: apparent_mass = x: is not a finite number"),
         ("height,apparent_mass\n1,2\n-2,3\n", ":3: height = -2: must be >= 0 (L)"),
         ("height,apparent_mass,apparent_mass_error\n1,2,1\n2,3,0\n", ":3: apparent_mass_error = 0: must be > 0 (M)"),
-        ("height,apparent_mass\n1,2\n2\n", ":3: has 1 cell, the line of names has 2"),
+        ("height,apparent_mass\n1,2\n2\n", ":3: has 1 value; must have 2"),
         ("height,apparent_mass\n1,2\n", ": has 1 row; 2 parameters need as many"),
-        ("", ": has no line of names"),
+        ("", ": is empty: no line with the names of the columns"),
         ("height,apparent_mass\n1,1\n2,2\n3,3\n", "janssen-fit: the data do not determine lambda_2: a straight line"),
     ],
 )

@@ -17,6 +17,7 @@ int act(const SceneOptions& options) {
   const auto scene = options.read();
   const auto traits = scene.method->traits();
   fmt::print("{}{}", describe(scene), traits.force_laws ? describe_contacts(scene) : "");
+  for (const auto& warning : scene.start.warnings) fmt::print("warning          {}\n", warning);
   const double work = expected_work(scene, expected_end(scene));
   fmt::print("cost             about {:.2g} s of one core\n", work / traits.typical_speed);
   return 0;

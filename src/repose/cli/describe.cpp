@@ -112,12 +112,12 @@ std::string adhesion_text(const ContactLaws& laws, double d, double weight, cons
                      between, pull, in_weights);
 }
 
-/// The speed of a sound wave along a chain of nominal grains of the first material, sqrt(k/m) d.
+/// The speed of a sound wave along a chain of usual grains of the first material, sqrt(k/m) d.
 std::string sound_text(const Scene& scene, const ContactLaws& laws) {
   if (!(scene.gravity > 0.0)) return "";
   const AnyNormal law{laws.normal};
-  const double d = scene.grains.diameter;
-  const double m = scene.nominal_mass();
+  const double d = scene.usual_diameter();
+  const double m = scene.usual_mass();
   const auto speed = [&](double force) {
     const double distance = d - static_overlap(law, m, d, force);
     const auto touch = make_touch(distance, 1.0 / distance, d, reach(law) * d, 0.0, m);
@@ -139,6 +139,7 @@ std::string describe(const Scene& scene) {
   if (!scene.start.from.empty()) {
     text += fmt::format("start            {}: {} moving grains{}{}\n", scene.start.path, scene.start.moving,
                         scene.start.histories ? ", contacts remembered" : "", scene.start.at_rest ? ", from rest" : "");
+    text += scene.start.description;
   }
   if (scene.method->traits().has_forces()) text += describe_materials(scene);
   text += scene.method->describe(scene);
@@ -153,7 +154,7 @@ std::string describe(const Scene& scene) {
 std::string describe_contacts(const Scene& scene) {
   const auto names = scene.material_names();
   const auto laws = scene.material_laws();
-  const double d = scene.grains.diameter;
+  const double d = scene.usual_diameter();
   const double step = scene.time_step();
   const double weight = scene.grain_weight();
   const double column = scene.expected_column();

@@ -117,7 +117,7 @@ bool take_default(const Parameters::Item& item) {
                           },
                           [](const Parameters::List& it) {
                             it.values.clear();
-                            return false;
+                            return it.may_be_empty;
                           }},
                     item.value);
 }
@@ -180,7 +180,7 @@ std::string default_text(const Parameters::Item& item) {
               return std::string(it.fallback.rule.empty() ? it.fallback.value : it.fallback.rule);
             },
             [](const Parameters::Vector& it) { return it.fallback ? vector_text(*it.fallback) : std::string(); },
-            [](const Parameters::List&) { return std::string(); }},
+            [](const Parameters::List& it) { return std::string(it.may_be_empty ? "[]" : ""); }},
       item.value);
 }
 

@@ -119,7 +119,8 @@ class Parameters {
     std::optional<std::array<double, 2>> fallback;  ///< none: it must be given
   };
   struct List {
-    std::vector<double>& values;  ///< at least one, and they must be given
+    std::vector<double>& values;
+    bool may_be_empty = false;  ///< it is then empty without being given
   };
 
   struct Item {
@@ -186,6 +187,10 @@ class Parameters {
   }
   void numbers(std::string_view name, std::vector<double>& values, std::string_view unit, std::string_view about) {
     show({name, unit, about, List{values}});
+  }
+  void numbers_if_any(std::string_view name, std::vector<double>& values, std::string_view unit,
+                      std::string_view about) {
+    show({name, unit, about, List{values, true}});
   }
 
   /// One number that may be given under one of several names; the first is the default.

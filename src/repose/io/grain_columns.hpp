@@ -3,6 +3,9 @@
 #pragma once
 
 #include "repose/io/grains_file.hpp"
+#include "repose/tables/cells.hpp"
+#include "repose/tables/file_problems.hpp"
+#include "repose/tables/text_lines.hpp"
 
 #include <array>
 #include <cstddef>
@@ -10,39 +13,47 @@
 #include <string_view>
 #include <vector>
 
-// For the readers of grain files only: lines, columns and cells, and their problems.
+// For the readers of grain files only: columns and lines of grains.
 
 namespace repose {
 
-/// The problems of one file: one line for each of the first 20, then the number of the rest.
-class FileProblems {
- public:
-  explicit FileProblems(std::string path) : path_(std::move(path)) {}
-
-  void add(std::size_t line, const std::string& what);
-  [[noreturn]] void stop() const;
-  [[noreturn]] void stop(std::size_t line, const std::string& what) {
-    add(line, what);
-    stop();
-  }
-  /// Throws InputError if there are any.
-  void check() const {
-    if (count_ > 0) stop();
-  }
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-  std::vector<std::string> lines_;
-  std::size_t count_ = 0;
+/// The quantity that a column of a file holds. x, y and z are the axes of the file up to in_plane(), and from there on
+/// those of the discs: to the right, up, and across the plane.
+enum class GrainColumn {
+  none,
+  id,
+  x,
+  y,
+  z,
+  vx,
+  vy,
+  vz,
+  spin_x,
+  spin_y,
+  spin_z,
+  radius,
+  diameter,
+  mass,
+  density,   ///< of a sphere
+  material,  ///< counted from 0, or its name
+  type,      ///< counted from 1, or its name
+  label,     ///< counted from 1, or from 0 where one is 0, or its name
+  fixed,
+  base
 };
 
-/// The quantity that a column of a file holds.
-enum class GrainColumn { none, id, x, y, z, vx, vy, spin, radius, diameter, mass, material, type, fixed, base };
+/// The quantity of a column by its name in tables, without regard to case and to the signs between words.
+struct NamedColumn {
+  GrainColumn column = GrainColumn::none;
+  bool own_name = false;  ///< a name of Repose, not one of other programs
+};
+NamedColumn column_of(std::string_view name);
 
-/// A whole cell as a number; none if it is anything else, not finite or out of range.
-std::optional<double> number_of(std::string_view cell);
-std::optional<std::int64_t> integer_of(std::string_view cell);
+/// The same quantity seen in a plane: with xz, z is the height.
+GrainColumn in_plane(GrainColumn column, Plane plane);
+
+/// The names of the axes of a plane: "x", "y", and "z" across it.
+std::array<std::string, 3> axes_of(Plane plane);
 
 /// Linear map from a column to a position; box-scaled positions run from 0 to 1 across the box.
 struct Scaling {
@@ -53,30 +64,59 @@ struct Scaling {
 /// Reads grains from lines of cells.
 class GrainLines {
  public:
-  GrainLines(FileProblems& problems, std::vector<GrainColumn> columns, std::vector<std::string> names,
-             std::array<Scaling, 2> scaling = {});
+  struct Column {
+    GrainColumn column = GrainColumn::none;
+    std::string name;
+    double factor = 1.0;  ///< of its unit over the unit of the file
+  };
+
+  /// The columns are those of the file, not yet seen in the plane.
+  GrainLines(FileProblems& problems, std::vector<Column> columns, Plane plane, std::array<Scaling, 3> scaling = {});
 
   /// Reads one line, and adds its problems to the problems of the file.
   void read(std::size_t line, const std::vector<std::string_view>& cells);
 
-  /// The grains; by ascending id, if they have ids. Throws InputError if there was any problem.
-  std::vector<GrainRow> take();
+  /// The grain of an id, for further sections of a file; none if there is none. Ids must be unique by then.
+  GrainRow* find(std::int64_t id);
+
+  /// Fills in the grains, by ascending id if they have ids, the names of their types, and the columns used and left
+  /// out. Throws InputError if there was any problem.
+  void take(GrainsFile& into);
 
  private:
   bool set(GrainRow& row, std::size_t column, std::size_t line, std::string_view cell);
-  void check_ids();
+  bool set_number(GrainRow& row, std::size_t column, std::size_t line, std::string_view cell);
+  bool set_type(GrainRow& row, std::size_t column, std::size_t line, std::string_view cell);
+  bool refuse(std::size_t column, std::size_t line, std::string_view cell, const std::string& allowed);
+  void sort_by_id();
+  void count_labels();
 
   FileProblems& problems_;
-  std::vector<GrainColumn> columns_;
-  std::vector<std::string> names_;
-  std::array<Scaling, 2> scaling_;
-  std::optional<double> z_;  // z of the first grain
+  std::vector<Column> columns_;
+  bool downward_spin_ = false;  // the third axis points into the plane
+  std::array<Scaling, 3> scaling_;
+  std::vector<std::string> used_;
+  std::vector<std::string> left_out_;
   std::vector<GrainRow> rows_;
-  std::vector<std::size_t> lines_;  // line numbers of the rows, if they have ids
+  std::vector<std::string> types_;  // names of types
+  std::optional<bool> named_types_;
+  bool labels_ = false;
+  double density_ = 0.0;  // of the present row
+  bool sorted_ = false;
 };
 
-/// Read the two kinds of file from the start. Throw InputError.
-std::vector<GrainRow> read_grains_table(std::istream& file, FileProblems& problems);
-std::vector<GrainRow> read_lammps_dump(std::istream& file, FileProblems& problems, std::int64_t step);
+/// Reads a snapshot's worth of lines: `count` rows from the present place on.
+void read_rows(TextLines& lines, std::int64_t count, FileProblems& problems, GrainLines& into);
+
+// The readers of the kinds of file, each from its start. Throw InputError.
+GrainsFile read_grains_table(TextLines& lines, FileProblems& problems, const GrainsFileOptions& options);
+GrainsFile read_yade_text(TextLines& lines, FileProblems& problems, const GrainsFileOptions& options);
+GrainsFile read_lammps_dump(TextLines& lines, FileProblems& problems, const GrainsFileOptions& options);
+GrainsFile read_lammps_data(TextLines& lines, FileProblems& problems, const GrainsFileOptions& options);
+GrainsFile read_extended_xyz(TextLines& lines, FileProblems& problems, const GrainsFileOptions& options);
+GrainsFile read_mercury_data(TextLines& lines, FileProblems& problems, const GrainsFileOptions& options);
+
+/// The units that LAMMPS calls "si", "cgs", "micro", "nano" or "lj".
+FileUnits lammps_units(std::string_view name);
 
 }  // namespace repose

@@ -4,6 +4,8 @@
 
 #include "repose/core/vec.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,7 +13,7 @@
 
 namespace repose {
 
-/// A grain as given in a file.
+/// A grain as given in a file, in the units of the file.
 struct GrainRow {
   std::optional<std::int64_t> id;
   Vec<2> position{};           ///< [L]
@@ -22,15 +24,59 @@ struct GrainRow {
   std::uint16_t material = 0;
   bool fixed = false;
   bool base = false;
+  std::int64_t type = 0;  ///< as the file writes it
+  double third = 0.0;     ///< [L] position across the plane
+  std::size_t line = 0;   ///< of the file; 0 in a run
 };
 
-/// In place of the number of a step: the last snapshot of a dump.
+/// The units of a file, in SI; 0 where they are not known.
+struct FileUnits {
+  std::string name;      ///< as the file gives them: "mm", "si"; "": it gives none
+  bool reduced = false;  ///< the file says that it has no units
+  double length = 0.0;   ///< [m]
+  double mass = 0.0;     ///< [kg]
+  double time = 0.0;     ///< [s]
+};
+
+/// The box of a file, along the two axes of the plane.
+struct FileBox {
+  Vec<2> low{};                      ///< [L]
+  Vec<2> high{};                     ///< [L]
+  std::array<std::string, 2> sides;  ///< "periodic", "open"; "": the file does not tell
+  bool tilted = false;
+};
+
+/// What a file of grains holds.
+struct GrainsFile {
+  std::string format;
+  std::vector<GrainRow> grains;
+  std::vector<std::string> used;      ///< columns
+  std::vector<std::string> left_out;  ///< columns
+  std::optional<FileBox> box;
+  FileUnits units;
+  std::vector<std::string> types;        ///< names, by GrainRow::material, where types or materials are words
+  std::optional<std::int64_t> snapshot;  ///< its step
+  std::size_t snapshots = 1;             ///< in the file
+  std::vector<std::string> warnings;
+};
+
+/// The plane of a file in three dimensions in which the grains are discs: its first axis points to the right, its
+/// second one up.
+enum class Plane { xy, xz, yz };
+
+/// In place of the number of a step: the last snapshot.
 inline constexpr std::int64_t last_snapshot = -1;
 
-/// Reads a table of grains (a line of names, then values separated by comma, semicolon or tab) or a snapshot of a
-/// LAMMPS text dump: that of a step, or the last. The content decides which kind of file it is. docs/reference/scene.md
-/// lists the columns. Grains with ids are returned by ascending id, others in the order of the file. Throws InputError:
-/// one line "file:line: problem" for each of the first 20 problems, then the number of the rest.
-std::vector<GrainRow> read_grains_file(const std::string& path, std::int64_t step = last_snapshot);
+struct GrainsFileOptions {
+  std::int64_t step = last_snapshot;
+  Plane plane = Plane::xy;
+};
+
+/// Reads the grains of a table, a LAMMPS or LIGGGHTS text dump, a LAMMPS data file (atom_style sphere), an extended XYZ
+/// file, a text export of YADE, or a .data file of MercuryDPM; packed by gzip or not. The content decides which kind of
+/// file it is; docs/reference/scene.md lists the columns. Grains with ids are returned by ascending id, others in the
+/// order of the file. Throws InputError: one line "file:line: problem" for each of the first 20 problems, then the
+/// number of the rest. Validated by tests/unit/grains_file_test.cpp and tests/unit/other_programs_test.cpp.
+GrainsFile read_grains_file(const std::string& path, const GrainsFileOptions& options = {});
 
 }  // namespace repose

@@ -25,6 +25,7 @@ StartState read_run(const std::string& path) {
     throw InputError(fmt::format("{}: that run failed, so its last state cannot be trusted", path));
   }
   StartState state;
+  state.format = "run of Repose";
   const auto grains = read_grains<2>(file);
   state.contacts = read_contacts<2>(file);
   if (file.has("walls/name")) state.walls = file.texts("walls/name");
@@ -38,8 +39,16 @@ StartState read_run(const std::string& path) {
     if (!sound || (k > 0 && grains.id[k] <= grains.id[k - 1])) {
       throw InputError(fmt::format("{}: grains: the data of grain {} are invalid", path, grains.id[k]));
     }
-    state.grains.push_back({grains.id[k], grain.position, grain.velocity, spin, grain.radius, grain.mass,
-                            grains.material[k], grain.fixed(), grains.base[k] != 0});
+    state.grains.push_back({.id = grains.id[k],
+                            .position = grain.position,
+                            .velocity = grain.velocity,
+                            .spin = spin,
+                            .radius = grain.radius,
+                            .mass = grain.mass,
+                            .material = grains.material[k],
+                            .fixed = grain.fixed(),
+                            .base = grains.base[k] != 0,
+                            .type = grains.material[k]});
   }
   return state;
 }
@@ -51,17 +60,18 @@ std::string start_file(const std::string& from) {
   return fs::is_directory(from, error) ? (fs::path(from) / "run.h5").string() : from;
 }
 
-StartState read_start(const std::string& file, std::int64_t step) {
+StartState read_start(const std::string& file, const GrainsFileOptions& options) {
   std::error_code error;
   if (!fs::exists(file, error)) throw InputError(fmt::format("{}: no such file", file));
   if (!fs::is_regular_file(file, error)) throw InputError(fmt::format("{}: is not a regular file", file));
   if (fs::path(file).extension() == ".h5") {
-    if (step != last_snapshot) throw InputError(fmt::format("{}: is a run: it has no snapshot of step {}", file, step));
+    if (options.step != last_snapshot) {
+      throw InputError(fmt::format("{}: is a run: it has no snapshot of step {}", file, options.step));
+    }
+    if (options.plane != Plane::xy) throw InputError(fmt::format("{}: is a run: start.plane must be xy", file));
     return read_run(file);
   }
-  StartState state;
-  state.grains = read_grains_file(file, step);
-  return state;
+  return {read_grains_file(file, options), {}, {}, {}};
 }
 
 }  // namespace repose

@@ -11,8 +11,7 @@
 namespace repose {
 
 /// The state at the start of a run: the grains of a file, or the last state of another run.
-struct StartState {
-  std::vector<GrainRow> grains;    ///< of a run: by ascending id, and they keep their ids
+struct StartState : GrainsFile {   // grains of a run are by ascending id, and they keep their ids
   Contacts<2> contacts;            ///< of a run only
   std::vector<std::string> walls;  ///< of a run only: names of its walls, by number
   std::string scene;               ///< of a run only: the text of its scene
@@ -21,8 +20,7 @@ struct StartState {
 /// The file for `from`: run.h5 if it is a run folder, otherwise itself.
 std::string start_file(const std::string& from);
 
-/// Reads a run (a name that ends in .h5) or a file of grains; of a dump, the snapshot of this step. Throws InputError,
-/// one line per problem.
-StartState read_start(const std::string& file, std::int64_t step);
+/// Reads a run (a name that ends in .h5) or a file of grains. Throws InputError, one line per problem.
+StartState read_start(const std::string& file, const GrainsFileOptions& options);
 
 }  // namespace repose

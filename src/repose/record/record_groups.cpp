@@ -54,7 +54,8 @@ const Attributes<Record>& run_attributes() {
           "grain_diameter", [](const Record& r) { return r.scene.grains.diameter; }, "L", "of a grain of nominal size"),
       attribute<Record>(
           "grain_weight", [](const Record& r) { return r.scene.grain_weight(); }, "M L/T^2",
-          "of a grain of nominal size: the unit of all forces \"in grain weights\""),
+          "of a grain of nominal size, or of the mean grain at the start where none is of that size: the unit of all "
+          "forces \"in grain weights\""),
       attribute<Record>(
           "periodic", [](const Record& r) { return r.box.periodic; }, "", "1: x wraps; else 0"),
       attribute<Record>(

@@ -83,7 +83,7 @@ void add_losses(const Record& record, Lines& lines) {
 }  // namespace
 
 std::vector<std::string> warnings_of(const Record& record) {
-  Lines lines;
+  Lines lines = record.scene.start.warnings;
   add_overlaps(record, lines);
   add_budget(record, lines);
   add_solver(record, lines);

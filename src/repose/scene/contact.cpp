@@ -35,7 +35,7 @@ std::string name_of(const Law& law) {
 
 /// The scales for a contact of two materials, given by their numbers.
 LawScales scales_of(const Scene& scene, double friction, std::size_t first, std::size_t second) {
-  const double weight = scene.grain_weight();
+  const double weight = scene.nominal_mass() * scene.gravity;
   LawScales scales{scene.gravity, weight > 0.0 ? weight : 1.0, scene.grains.diameter, friction};
   if (scene.has_moduli()) scales.ratio = stiffness_ratio(scene.elasticity(first), scene.elasticity(second));
   return scales;

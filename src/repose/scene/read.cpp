@@ -4,6 +4,7 @@
 
 #include "repose/core/errors.hpp"
 #include "repose/scene/keys.hpp"
+#include "repose/scene/overlaps.hpp"
 #include "repose/scene/reader.hpp"
 #include "repose/scene/start.hpp"
 #include "repose/scene/toml_file.hpp"
@@ -87,8 +88,9 @@ Scene read_table(const toml::table& root, const std::string& name,
   Scene scene;
   show_keys(scene, reader);
   reader.report_unknown_keys();
-  look_at_start(scene, reader, std::filesystem::path(name).parent_path().string());
+  const auto start = look_at_start(scene, reader, std::filesystem::path(name).parent_path().string());
   check_all(scene, reader);
+  check_overlaps(scene, start, reader);
   problems.insert(problems.end(), reader.problems().begin(), reader.problems().end());
   if (!problems.empty()) throw InputError(problems);
   return scene;

@@ -231,7 +231,9 @@ void Reader::read(const Item& item, const toml::node& node, const Vector& vector
 void Reader::read(const Item& item, const toml::node& node, const List& list) {
   const std::string key(item.name);
   const auto* entries = node.as_array();
-  if (entries == nullptr || entries->empty()) return wrong_type(key, node, "a list of numbers");
+  if (entries == nullptr || (entries->empty() && !list.may_be_empty)) {
+    return wrong_type(key, node, "a list of numbers");
+  }
   for (const auto& entry : *entries) {
     const double number = number_in(entry);
     if (!std::isfinite(number)) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <utility>
 
 namespace repose {
@@ -53,19 +55,61 @@ double Scene::largest_drawn() const {
   return largest;
 }
 
+bool Scene::draws_grains() const {
+  return source->released() > 0 || source->placed() > 0 || (base->of_grains() && !base->of_one_size());
+}
+
 double Scene::smallest_diameter() const {
-  double smallest = smallest_drawn();
+  double smallest = std::numeric_limits<double>::infinity();
+  if (draws_grains()) smallest = smallest_drawn();
   if (base->of_one_size()) smallest = std::min(smallest, grains.diameter);
   if (start.largest > 0.0) smallest = std::min(smallest, start.smallest);
   for (const auto& grain : placed) smallest = std::min(smallest, grain.diameter);
-  return smallest;
+  return std::isfinite(smallest) ? smallest : smallest_drawn();
 }
 
 double Scene::largest_diameter() const {
-  double largest = std::max(largest_drawn(), start.largest);
+  double largest = start.largest;
+  if (draws_grains()) largest = std::max(largest, largest_drawn());
   if (base->of_one_size()) largest = std::max(largest, grains.diameter);
   for (const auto& grain : placed) largest = std::max(largest, grain.diameter);
-  return largest;
+  return largest > 0.0 ? largest : largest_drawn();
+}
+
+namespace {
+
+/// Mass and diameter of the mean moving grain of a scene that has none of the nominal size: placed, or of its start.
+struct MeanGrain {
+  double mass = 0.0;
+  double diameter = 0.0;
+  double count = 0.0;
+};
+
+std::optional<MeanGrain> mean_grain(const Scene& scene) {
+  const double d = scene.grains.diameter;
+  if (scene.draws_grains() || scene.base->of_one_size()) return std::nullopt;
+  if (scene.smallest_diameter() <= d && d <= scene.largest_diameter()) return std::nullopt;
+  MeanGrain mean{scene.start.total_mass, scene.start.total_size, static_cast<double>(scene.start.moving)};
+  for (const auto& grain : scene.placed) {
+    if (grain.fixed) continue;
+    mean.mass += scene.mass_of(grain.diameter, grain.material);
+    mean.diameter += grain.diameter;
+    mean.count += 1.0;
+  }
+  if (!(mean.count > 0.0)) return std::nullopt;
+  return MeanGrain{mean.mass / mean.count, mean.diameter / mean.count, mean.count};
+}
+
+}  // namespace
+
+double Scene::usual_mass() const {
+  const auto mean = mean_grain(*this);
+  return mean ? mean->mass : nominal_mass();
+}
+
+double Scene::usual_diameter() const {
+  const auto mean = mean_grain(*this);
+  return mean ? mean->diameter : grains.diameter;
 }
 
 std::vector<std::string> Scene::material_names() const {

@@ -66,14 +66,17 @@ struct Scene {
   double largest_drawn() const;
   double smallest_diameter() const;
   double largest_diameter() const;
+  bool draws_grains() const;  ///< the source or the base draws sizes; else the sizes above are not those of any grain
 
   std::vector<std::string> material_names() const;
   std::uint16_t material_number(const std::string& name) const;
-  bool has_moduli() const;                                             ///< materials have elastic constants
-  Elasticity elasticity(std::size_t material) const;                   ///< of a material with moduli
-  double nominal_mass() const;                                         ///< [M] of a grain of the first material and d
+  bool has_moduli() const;                            ///< materials have elastic constants
+  Elasticity elasticity(std::size_t material) const;  ///< of a material with moduli
+  double nominal_mass() const;                        ///< [M] of a grain of the first material and d
+  double usual_mass() const;  ///< [M] nominal_mass(), or where no grain is of nominal size the mean of those that are
+  double usual_diameter() const;                                       ///< [L] of such a grain
   double mass_of(double diameter, const std::string& material) const;  ///< [M] goes with the square of the diameter
-  double grain_weight() const { return nominal_mass() * gravity; }
+  double grain_weight() const { return usual_mass() * gravity; }       ///< [M L/T^2] the unit of force of measures
   /// [M L/T^2] Base forces are given in it: the grain weight, or 1 without gravity.
   double base_force_unit() const { return gravity > 0.0 ? grain_weight() : 1.0; }
   MaterialLaws material_laws() const;  ///< the laws of every two materials

@@ -16,12 +16,26 @@ namespace {
 
 constexpr std::array<double, 2> none{0.0, 0.0};
 
-void start_keys(StartFrom& start, Parameters& keys) {
+void start_keys(Scene& scene, Parameters& keys) {
+  auto& start = scene.start;
   keys.text("start.from", start.from, "",
             "grains at the start: a run folder whose end it is, or a file of grains; relative to this file");
   if (start.from.empty()) return;
-  keys.integer("start.step", start.step, {.low = -1}, "of the snapshot of a LAMMPS dump to start from; -1: the last");
+  keys.integer("start.step", start.step, {.low = -1},
+               "of the snapshot of a file with several to start from; -1: the last");
   keys.flag("start.at_rest", start.at_rest, "they start without motion");
+  keys.choice("start.plane", start.plane, {"xy", "xz", "yz"},
+              "of a file in three dimensions: its first axis points to the right, its second up");
+  keys.number("start.tolerance", start.tolerance, {1e-6 * scene.grains.diameter, "1e-6 d"}, not_negative, "L",
+              "grains may lie so far apart across the plane");
+  keys.number("start.scale", start.scale, positive, "", "lengths and velocities of the file are multiplied by this");
+  keys.choice(
+      "start.flip", start.flip,
+      {{"none", "no axis"}, {"x", "left and right change places"}, {"y", "up and down do"}, {"both", "both do"}},
+      "axis whose sign changes, after the scaling");
+  keys.vector("start.shift", start.shift, none, "L", "is added to places, after scaling and flip");
+  keys.numbers_if_any("start.fixed_types", start.fixed_types, "",
+                      "grains of these types (or materials, as the file numbers them) are fixed");
 }
 
 void placed_keys(Scene& scene, Parameters& keys) {
@@ -75,7 +89,7 @@ void check_places(const Scene& scene, Problems& problems) {
 void source_keys(Scene& scene, Parameters& keys) {
   const auto traits = scene.method->traits();
   if (traits.follows_time) {
-    start_keys(scene.start, keys);
+    start_keys(scene, keys);
     placed_keys(scene, keys);
   }
   const auto suits = [&](const SourceKind& source) { return source.suits(traits); };

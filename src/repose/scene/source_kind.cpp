@@ -9,7 +9,7 @@
 
 namespace repose {
 
-double SourceKind::fall(const Scene& scene) const { return scene.grains.diameter; }
+double SourceKind::fall(const Scene& scene) const { return scene.usual_diameter(); }
 
 double SourceKind::column(const Scene& scene) const {
   // N grains in a triangle of height h and slope 30 degrees: N = h^2 sqrt(3) / 0.9 (a core of discs at 0.8).

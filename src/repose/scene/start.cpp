@@ -3,8 +3,9 @@
 #include "repose/scene/start.hpp"
 
 #include "repose/core/errors.hpp"
-#include "repose/io/start_file.hpp"
 #include "repose/scene/geometry.hpp"
+#include "repose/scene/start_checks.hpp"
+#include "repose/scene/start_places.hpp"
 #include "repose/scene/toml_file.hpp"
 
 #include <fmt/format.h>
@@ -41,6 +42,9 @@ std::string memory_of(const Scene& scene) {
 
 void take_facts(const StartState& state, Scene& scene) {
   auto& start = scene.start;
+  const auto names = scene.material_names();
+  constexpr double same = 1e-9;  // masses that differ by rounding alone
+  double lightest = 0.0;
   for (const auto& row : state.grains) {
     const double diameter = 2.0 * row.radius;
     start.smallest = start.largest > 0.0 ? std::min(start.smallest, diameter) : diameter;
@@ -48,10 +52,17 @@ void take_facts(const StartState& state, Scene& scene) {
     start.base |= row.base;
     if (row.fixed) continue;
     ++start.moving;
+    const double usual = scene.mass_of(diameter, row.material < names.size() ? names[row.material] : names.front());
+    const double mass = row.mass.value_or(usual);
+    const double ratio = std::fabs(mass - usual) > same * usual ? mass / usual : 1.0;
+    lightest = lightest > 0.0 ? std::min(lightest, ratio) : ratio;
+    start.total_mass += mass;
+    start.total_size += diameter;
     const double speed2 = start.at_rest ? 0.0 : dot(row.velocity, row.velocity);
     const double rise = scene.gravity > 0.0 ? 0.5 * speed2 / scene.gravity : 0.0;
     start.fall = std::max(start.fall, rise + std::max(0.0, row.position[1]));
   }
+  if (lightest > 0.0) start.lightest = lightest;
 }
 
 /// Grains that move must not lie in walls, as placed ones must not, nor behind planes.
@@ -88,14 +99,20 @@ void check_grains(const StartState& state, const Scene& scene, Reader& reader) {
   const auto materials = scene.material_names().size();
   std::size_t outside = 0;
   std::size_t unknown = 0;
+  double left = 0.0;
+  double right = 0.0;
   for (const auto& row : state.grains) {
+    left = &row == &state.grains.front() ? row.position[0] : std::min(left, row.position[0]);
+    right = &row == &state.grains.front() ? row.position[0] : std::max(right, row.position[0]);
     if (std::fabs(row.position[0]) > scene.box.half_width) ++outside;
     if (row.material >= materials) ++unknown;
   }
   const auto says = fmt::format(" = \"{}\": ", scene.start.from);
   if (outside > 0 && reader.sound("box.half_width")) {
-    reader.problem("start.from", fmt::format("{}{} of its grains lie outside the box, x = +-{}", says, outside,
-                                             scene.box.half_width));
+    reader.problem("start.from",
+                   fmt::format("{}{} of its grains lie outside the box, x = +-{}: they lie at x = {:.6g} to "
+                               "{:.6g}; set start.shift or box.half_width",
+                               says, outside, scene.box.half_width, left, right));
   }
   if (unknown > 0) {
     reader.problem("start.from", fmt::format("{}{} of its grains are of materials that this scene has not: it needs "
@@ -111,23 +128,31 @@ void check_grains(const StartState& state, const Scene& scene, Reader& reader) {
 
 }  // namespace
 
-void look_at_start(Scene& scene, Reader& reader, const std::string& folder) {
+std::optional<StartState> look_at_start(Scene& scene, Reader& reader, const std::string& folder) {
   auto& start = scene.start;
-  if (start.from.empty()) return;
+  if (start.from.empty()) return std::nullopt;
   // A path on the command line is relative to the current folder.
   const fs::path beside = reader.from_command_line("start.from") ? fs::path() : fs::path(folder);
   start.path = start_file((beside / start.from).string());
   try {
-    const auto state = read_start(start.path, start.step);
+    auto state = state_at_start(scene);
     take_facts(state, scene);
     check_grains(state, scene, reader);
+    check_units(state, scene, reader);
+    start.warnings = state.warnings;
+    add_warnings(state, scene, start.warnings);
+    for (auto& warning : start.warnings) warning = "start.from: " + warning;
+    start.description = describe_start(state, scene);
+    start.histories =
+        !state.scene.empty() && keeps_contacts(start) && memory_of(state.scene, start.path) == memory_of(scene);
     check_room(state, scene, reader);
-    start.histories = !state.scene.empty() && memory_of(state.scene, start.path) == memory_of(scene);
+    return state;
   } catch (const InputError& error) {
     for (const auto& line : error.problems()) {
       reader.problem("start.from", fmt::format(" = \"{}\": {}", start.from, line));
     }
   }
+  return std::nullopt;
 }
 
 }  // namespace repose

@@ -16,17 +16,22 @@ namespace repose {
 
 namespace {
 
-/// The contacts between all materials and the sizes at the ends of their range, and with walls: laws, who moves, and
-/// its partner.
+/// The contacts between all materials and the sizes of grains that exist, at the ends of their range and the nominal
+/// one if it lies between, and with walls: laws, who moves, and its partner. Grains of a start may be lighter than
+/// others of their size; all then count as so light.
 template <class Use>
 void for_every_contact(const Scene& scene, const Use& use) {
   const auto names = scene.material_names();
   const auto laws = scene.material_laws();
+  const bool start_alone = !scene.draws_grains() && scene.placed.empty();
+  const double lightest = start_alone ? scene.start.lightest : std::min(1.0, scene.start.lightest);
   const auto size = [&](double diameter, const std::string& material) {
-    return GrainSize{diameter, scene.mass_of(diameter, material)};
+    return GrainSize{diameter, lightest * scene.mass_of(diameter, material)};
   };
   const bool walls = !scene.planes.empty() || !scene.pieces.empty() || scene.base->wall(scene);
-  const double sizes[] = {scene.smallest_diameter(), scene.grains.diameter, scene.largest_diameter()};
+  const double smallest = scene.smallest_diameter();
+  const double largest = scene.largest_diameter();
+  const double sizes[] = {smallest, std::clamp(scene.grains.diameter, smallest, largest), largest};
   for (std::size_t a = 0; a < names.size(); ++a) {
     for (std::size_t b = 0; b < names.size(); ++b) {
       for (const double mover : {sizes[0], sizes[2]}) {

@@ -3,12 +3,14 @@
 #include "repose/theory/janssen_fit.hpp"
 
 #include "repose/core/errors.hpp"
+#include "repose/tables/file_problems.hpp"
+#include "repose/tables/number_table.hpp"
 #include "repose/theory/column_walls.hpp"
-#include "repose/theory/csv_file.hpp"
 #include "repose/theory/screening_fit.hpp"
 
 #include <boost/math/special_functions/gamma.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstddef>
 #include <limits>
@@ -19,25 +21,42 @@ namespace repose::theory {
 
 namespace {
 
-ApparentMasses read_masses(const JanssenFit& fit) {
-  const CsvFile file{fit.file};
-  ApparentMasses data{.height = file.numbers("height"), .mass = file.numbers("apparent_mass"), .error = {}};
-  if (file.has("apparent_mass_error")) data.error = file.numbers("apparent_mass_error");
-  std::vector<std::string> problems;
+/// Names of the column of standard deviations.
+const std::vector<std::string> error_names = {"apparent_mass_error", "mass_error", "error", "sigma", "err",
+                                              "standard_error",      "stderr",     "std",   "sd",    "uncertainty"};
+
+struct Data {
+  ApparentMasses masses;
+  std::string error_name;  ///< of its column in the file
+  std::vector<std::string> left_out;
+};
+
+Data read_masses(const JanssenFit& fit) {
+  const NumberTable file(fit.file, {"height", "apparent_mass"});
+  Data data;
+  auto& masses = data.masses;
+  masses.height = file.numbers("height");
+  masses.mass = file.numbers("apparent_mass");
+  const auto error = file.find(error_names);
+  if (error) masses.error = file.numbers(*error);
+  FileProblems problems(fit.file);
   for (std::size_t row = 0; row < file.rows(); ++row) {
-    if (data.height[row] < 0.0) {
-      problems.push_back(
-          fmt::format("{}:{}: height = {}: must be >= 0 (L)", fit.file, file.line(row), data.height[row]));
+    if (masses.height[row] < 0.0) {
+      problems.add(file.line(row), fmt::format("height = {}: must be >= 0 (L)", masses.height[row]));
     }
-    if (!data.error.empty() && data.error[row] <= 0.0) {
-      problems.push_back(
-          fmt::format("{}:{}: apparent_mass_error = {}: must be > 0 (M)", fit.file, file.line(row), data.error[row]));
+    if (error && masses.error[row] <= 0.0) {
+      problems.add(file.line(row), fmt::format("{} = {}: must be > 0 (M)", file.name(*error), masses.error[row]));
     }
   }
-  throw_if_any(std::move(problems));
+  problems.check();
   if (static_cast<std::int64_t>(file.rows()) < fit.parameters) {
     throw InputError(fmt::format("{}: has {} row{}; {} parameters need as many", fit.file, file.rows(),
                                  file.rows() == 1 ? "" : "s", fit.parameters));
+  }
+  if (error) data.error_name = file.name(*error);
+  for (std::size_t k = 0; k < file.columns(); ++k) {
+    const bool used = k == file.find({"height"}) || k == file.find({"apparent_mass"}) || k == error;
+    if (!used) data.left_out.push_back(file.name(k).empty() ? fmt::format("column {}", k + 1) : file.name(k));
   }
   return data;
 }
@@ -46,7 +65,7 @@ ApparentMasses read_masses(const JanssenFit& fit) {
 
 void parameters(JanssenFit& fit, Parameters& to) {
   to.text("file", fit.file,
-          "CSV file with columns height (L), apparent_mass (M) and optionally apparent_mass_error (M)");
+          "table with columns height (L), apparent_mass (M) and optionally apparent_mass_error, error or sigma (M)");
   to.integer("parameters", fit.parameters, {.low = 1, .high = 2}, "2: lambda_1 and lambda_2; 1: both are equal");
   to.choice("direction", fit.direction, column_directions(),
             "rest: the walls carry weight; pushed-up: the same friction holds the grains down");
@@ -54,7 +73,8 @@ void parameters(JanssenFit& fit, Parameters& to) {
 }
 
 Table evaluate(const JanssenFit& fit) {
-  const auto data = read_masses(fit);
+  const auto read = read_masses(fit);
+  const auto& data = read.masses;
   const auto result = fit_screening(
       {.mass_per_height = fit.mass_per_height, .sense = wall_sense(fit.direction), .parameters = fit.parameters}, data);
   const bool weighted = !data.error.empty();
@@ -82,6 +102,13 @@ Table evaluate(const JanssenFit& fit) {
                {"rms_residual", result.rms_residual, "M", "root of the mean square of the residuals"}}};
   if (weighted) {
     table.columns.push_back({"apparent_mass_error", "M", "as in the file", data.error, {}});
+    table.notes.push_back(fmt::format("errors of the masses: column {}", read.error_name));
+  } else {
+    table.notes.push_back(
+        fmt::format("errors of the masses: none in the file; names of their column: {}", fmt::join(error_names, ", ")));
+  }
+  if (!read.left_out.empty()) {
+    table.notes.push_back(fmt::format("columns left out: {}", fmt::join(read.left_out, ", ")));
   }
   return table;
 }

@@ -11,9 +11,9 @@
 
 namespace repose::theory {
 
-/// Janssen's law with one or two lengths, fitted to the apparent masses of columns. They come from a CSV file with the
-/// columns height [L], apparent_mass [M] and optionally apparent_mass_error [M], in any order; other columns are
-/// ignored. Source: Bratberg's thesis (2003), eqs (25) and (38), corrected. Validated by
+/// Janssen's law with one or two lengths, fitted to the apparent masses of columns. They come from a table with the
+/// columns height [L], apparent_mass [M] and optionally apparent_mass_error (or error, sigma) [M], in any order; other
+/// columns are ignored and named. Source: Bratberg's thesis (2003), eqs (25) and (38), corrected. Validated by
 /// tests/theory/screening_fit_test.cpp.
 struct JanssenFit {
   std::string file;             ///< must be given

@@ -3,7 +3,6 @@
 #include "repose/theory/models.hpp"
 
 #include "repose/core/errors.hpp"
-#include "repose/theory/csv_file.hpp"
 #include "repose/theory/read_settings.hpp"
 
 #include <fmt/format.h>
@@ -48,6 +47,14 @@ std::string value_of(const ParameterText& parameter) {
   if (parameter.value.empty()) return "(must be given)";
   const bool with_unit = !parameter.unit.empty() && parameter.unit != "1";
   return with_unit ? parameter.value + " " + parameter.unit : parameter.value;
+}
+
+/// The text of a cell: in quotes if it contains a comma, a quote or a line break.
+std::string quoted(const std::string& cell) {
+  if (cell.find_first_of(",\"\n") == std::string::npos) return cell;
+  std::string all = "\"";
+  for (const char c : cell) all += c == '"' ? std::string{"\"\""} : std::string{c};
+  return all + "\"";
 }
 
 std::string unit_in_brackets(const std::string& unit) { return unit.empty() ? "" : fmt::format(" [{}]", unit); }
@@ -112,6 +119,7 @@ std::string as_csv(const Model& model, const Table& table) {
   for (const auto& column : table.columns) {
     csv += fmt::format("# column {}{}: {}\n", column.name, unit_in_brackets(column.unit), column.about);
   }
+  for (const auto& note : table.notes) csv += fmt::format("# note {}\n", note);
   std::vector<std::string> cells;
   const auto add_row = [&] {
     csv += fmt::format("{}\n", fmt::join(cells, ","));

@@ -28,6 +28,7 @@ struct Number {
 struct Table {
   std::vector<Column> columns;
   std::vector<Number> numbers;
+  std::vector<std::string> notes{};  ///< on the data that the prediction used, one line each
 
   /// The column or number of this name. Throws std::out_of_range if there is none.
   const Column& column(const std::string& name) const;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repose/io/start_file.hpp"
 #include "repose/scene/geometry.hpp"
+#include "repose/scene/start_places.hpp"
 #include "repose/simulation/sources/initial.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace repose {
 void add_start(const Scene& scene, Grains<2>& grains, std::int64_t& id) {
   if (scene.start.from.empty()) return;
   const auto& names = scene.material_names();
-  const auto state = read_start(scene.start.path, scene.start.step);
+  const auto state = state_at_start(scene);
   const bool of_run = !state.scene.empty();
   for (const auto& row : state.grains) {
     auto grain = make_grain(scene, 2.0 * row.radius, names.at(row.material));
@@ -31,7 +31,7 @@ void add_start(const Scene& scene, Grains<2>& grains, std::int64_t& id) {
 Contacts<2> contacts_at_start(const Scene& scene) {
   Contacts<2> kept;
   if (!scene.start.histories) return kept;
-  const auto state = read_start(scene.start.path, scene.start.step);
+  const auto state = state_at_start(scene);
   const auto names = wall_names(scene);
   for (auto contact : state.contacts.list) {
     if (contact.second < 0) {

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/io/start_file.hpp"
+#include "repose/scene/problems.hpp"
+#include "repose/scene/scene.hpp"
+
+#include <optional>
+#include <string>
+
+namespace repose {
+
+/// Overlap over the mean diameter beyond which two grains at the start are refused, unless both come from a run.
+inline constexpr double largest_overlap_at_start = 0.1;
+
+/// Refuses grains at the start that lie at one place or overlap deeply: of the file, placed, and of the base and the
+/// lattice. Each pair is named, with ids and lines of the file. Two fixed grains may overlap.
+void check_overlaps(const Scene& scene, const std::optional<StartState>& start, Problems& problems);
+
+/// The two grains of a start that overlap most.
+struct DeepestOverlap {
+  double relative = 0.0;  ///< over their mean diameter
+  std::string grains;     ///< "grains 3 and 7 (lines 4 and 8)"
+};
+std::optional<DeepestOverlap> deepest_overlap(const StartState& start, const Scene& scene);
+
+}  // namespace repose
