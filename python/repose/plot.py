@@ -6,8 +6,6 @@ import argparse
 import sys
 from functools import partial
 
-import matplotlib
-
 import repose
 from repose import style
 from repose.errors import NotDrawn
@@ -80,7 +78,7 @@ def draw_pictures(folder, pictures, suffix, options):
     place = folder.path / "pictures"
     place.mkdir(exist_ok=True)
     for name, draw in pictures.items():
-        with matplotlib.rc_context(style.RC):
+        with style.context():
             try:
                 figures = draw()
             except NotDrawn as reason:
@@ -109,6 +107,10 @@ def main(arguments=None):
     except repose.RunFolderError as error:
         print(f"repose plot: {error}", file=sys.stderr)
         return 2
+    except KeyboardInterrupt:
+        return 130
+    except BrokenPipeError:
+        raise  # the reader of standard output has left
     except OSError as error:
         print(f"repose plot: {error.filename or options.folder}: cannot be written: {error.strerror}", file=sys.stderr)
         return 2

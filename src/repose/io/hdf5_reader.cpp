@@ -4,6 +4,7 @@
 
 #include "repose/core/errors.hpp"
 #include "repose/io/hdf5_handle.hpp"
+#include "repose/io/named_file.hpp"
 #include "repose/io/seal.hpp"
 
 #include <fmt/format.h>
@@ -18,6 +19,7 @@ Hdf5Reader::Hdf5Reader(std::string path, Sealing sealing) : path_(std::move(path
   set_up_hdf5();
   std::error_code error;
   if (!std::filesystem::exists(path_, error)) throw InputError(fmt::format("{}: no such file", path_));
+  if (const auto why = why_not_readable(path_); !why.empty()) throw InputError(fmt::format("{}: {}", path_, why));
   const bool unsealed = sealing == Sealing::optional && !is_sealed(path_);
   if (const auto broken = unsealed ? "" : broken_seal(path_); !broken.empty()) {
     throw InputError(fmt::format("{}: {}", path_, broken));
@@ -66,6 +68,8 @@ std::string Hdf5Reader::text(const std::string& object, const std::string& attri
     fail(object, fmt::format("attribute {} is not text", attribute));
   }
   if (H5Tis_variable_str(type.id()) > 0) return variable_text(handle.id(), type.id());
+  constexpr std::size_t longest_attribute = 1U << 20;
+  if (H5Tget_size(type.id()) > longest_attribute) fail(object, fmt::format("attribute {} is too long", attribute));
   std::string value(H5Tget_size(type.id()), '\0');
   if (H5Aread(handle.id(), type.id(), value.data()) < 0) {
     fail(object, fmt::format("attribute {} cannot be read", attribute));
@@ -99,6 +103,22 @@ std::int64_t Hdf5Reader::integer(const std::string& object, const std::string& a
   return value;
 }
 
+namespace {
+
+/// Whether a dataset of `rows` times `row_size` bytes can be in its file: what is stored of it is all of it, and
+/// compressed by no more than deflate can.
+bool fits_its_content(hid_t dataset, hsize_t rows, hsize_t row_size) {
+  constexpr hsize_t most_compression = 1100;
+  const Handle layout(H5Dget_create_plist(dataset), H5Pclose);
+  const bool chunked = !layout.failed() && H5Pget_layout(layout.id()) == H5D_CHUNKED;
+  const hsize_t most = H5Dget_storage_size(dataset) * (chunked ? most_compression : 1);
+  return row_size == 0 || rows <= most / row_size;
+}
+
+constexpr const char* larger_than_content = "is larger than its content: damaged";
+
+}  // namespace
+
 template <class T>
 std::vector<T> Hdf5Reader::dataset(const std::string& name, std::size_t columns) const {
   return read<T>(name, columns, columns == 1 ? 1 : 2);
@@ -120,6 +140,8 @@ std::vector<T> Hdf5Reader::read(const std::string& name, std::size_t columns, in
     fail(name, wanted == 1 ? std::string("must have one dimension")
                            : fmt::format("must have two dimensions, with {} columns", columns));
   }
+  const Handle type(H5Dget_type(dataset.id()), H5Tclose);
+  if (!fits_its_content(dataset.id(), shape[0], shape[1] * H5Tget_size(type.id()))) fail(name, larger_than_content);
   std::vector<T> values(shape[0] * shape[1]);
   if (!values.empty() && H5Dread(dataset.id(), native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
     fail(name, "cannot be read: damaged, or of another type");
@@ -142,6 +164,7 @@ std::vector<std::string> Hdf5Reader::texts(const std::string& name) const {
   if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) != 0) fail(name, "is not text");
   const auto count = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id()));
   const auto length = H5Tget_size(type.id());
+  if (!fits_its_content(dataset.id(), count, length)) fail(name, larger_than_content);
   std::string characters(count * length, '\0');
   if (count > 0 && H5Dread(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, characters.data()) < 0) {
     fail(name, "cannot be read");
@@ -163,6 +186,7 @@ void Hdf5Reader::bytes(const std::string& name, std::size_t item,
   const bool table =
       H5Sget_simple_extent_ndims(space.id()) == 2 && H5Sget_simple_extent_dims(space.id(), shape.data(), nullptr) == 2;
   if (!table || shape[1] != item) fail(name, "of another size than expected");
+  if (!fits_its_content(dataset.id(), shape[0], item)) fail(name, larger_than_content);
   void* data = room(shape[0]);
   if (data == nullptr && shape[0] > 0) fail(name, "of another size than expected");
   if (shape[0] > 0 && H5Dread(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0) {
@@ -186,6 +210,7 @@ Hdf5Reader::Values Hdf5Reader::values(const std::string& name) const {
   const Handle type(H5Dget_type(dataset.id()), H5Tclose);
   const Handle space(H5Dget_space(dataset.id()), H5Sclose);
   const auto count = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id()));
+  if (!fits_its_content(dataset.id(), count, H5Tget_size(type.id()))) fail(name, larger_than_content);
   const auto read_as = [&](auto kind) -> Values {
     using T = decltype(kind);
     std::vector<T> values(count);
