@@ -16,6 +16,7 @@ GROUPS = {
     "chains": "contacts grains direction_deg extent chain",
     "fields": "x y room density solid_fraction stress_xx stress_xy stress_yx stress_yy support_x support_y velocity_x "
     "velocity_y temperature contacts fabric_xx fabric_xy fabric_yy coordination",
+    "walls": "name length pressure shear moment",
     "grain_stress": "id area in_cell stress_xx stress_xy stress_yx stress_yy",
     "motion": "start end grains moved moved_left depth kinetic_energy angle_left angle_right",
     "avalanches": "start end size duration waiting depth left",

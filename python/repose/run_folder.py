@@ -13,6 +13,7 @@ from repose.hdf5 import Table, attributes_of, check_format, opened, values_of
 from repose.summary import read_summary
 
 FORMAT_VERSION = 4
+FORCES = {"normal_force", "tangential_force", "history", "sliding"}
 NEEDED = set("title units dimension time status grain_diameter grain_weight periodic x_min x_max".split())
 
 
@@ -122,8 +123,13 @@ class RunFolder:
 
 
 def _read_arrays(kind, group):
-    """A Grains or Contacts from the datasets named like its fields; flags become bool."""
-    arrays = {field.name: values_of(group[field.name]) for field in fields(kind)}
+    """A Grains or Contacts from the datasets named like its fields; flags become bool. A method without forces keeps none:
+    they are 0 then."""
+    none = np.zeros(len(group["overlap"])) if "overlap" in group else None
+    arrays = {
+        field.name: none if none is not None and field.name in FORCES and field.name not in group else values_of(group[field.name])
+        for field in fields(kind)
+    }
     for name in {"fixed", "base", "sliding"} & arrays.keys():
         arrays[name] = arrays[name].astype(bool)
     return kind(**arrays)

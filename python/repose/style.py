@@ -80,6 +80,7 @@ class Units:
     """Labels and values of lengths, times, stresses and energies with their units."""
 
     reduced: bool
+    weightless: bool = False  # without gravity time, speed, stress and energy have no unit of their own
 
     def length(self, symbol):
         return f"{symbol} / σ" if self.reduced else f"{symbol} (m)"
@@ -88,30 +89,44 @@ class Units:
         return f"{value:.3g} σ" if self.reduced else f"{value:.3g} m"
 
     def time(self, symbol):
-        return f"{symbol} / √(σ/g)" if self.reduced else f"{symbol} (s)"
+        return self._of(symbol, "√(σ/g)", "T", "s")
 
     def time_value(self, value):
-        return f"{value:.6g} √(σ/g)" if self.reduced else f"{value:.6g} s"
+        return f"{value:.6g}" + self._unit(" √(σ/g)", "", " s")
 
     def speed(self, symbol):
-        return f"{symbol} / √(gσ)" if self.reduced else f"{symbol} (m/s)"
+        return self._of(symbol, "√(gσ)", "L/T", "m/s")
 
     def speed_squared(self, symbol):
-        return f"{symbol} / gσ" if self.reduced else f"{symbol} (m²/s²)"
+        return self._of(symbol, "gσ", "L²/T²", "m²/s²")
 
     def stress(self, symbol):
-        return f"{symbol} / (mg/σ)" if self.reduced else f"{symbol} (N/m)"
+        return self._of(symbol, "(mg/σ)", "M/T²", "N/m")
 
     def energy(self, symbol):
-        return f"{symbol} / mgσ" if self.reduced else f"{symbol} (J)"
+        return self._of(symbol, "mgσ", "M L²/T²", "J")
 
     def energy_value(self, value):
-        return f"{value:.4g} mgσ" if self.reduced else f"{value:.4g} J"
+        return f"{value:.4g}" + self._unit(" mgσ", "", " J")
+
+    def force(self, symbol):
+        """In grain weights where grains have a weight."""
+        return f"{symbol}\n" + f"({self.force_word()})"
+
+    def force_word(self):
+        return "grain weights" if not self.weightless else self._unit("", "M L/T²", "N")
+
+    def _unit(self, reduced, weightless, si):
+        return (weightless if self.weightless else reduced) if self.reduced else si
+
+    def _of(self, symbol, reduced, weightless, si):
+        return f"{symbol} / {reduced}" if self.reduced and not self.weightless else f"{symbol} ({self._unit('', weightless, si)})"
 
 
 def units_of(run):
     """Units of the scene of a run or sweep."""
-    return Units(run.attributes["units"] == "reduced")
+    weight = run.attributes.get("grain_weight", 1.0)
+    return Units(run.attributes["units"] == "reduced", not weight > 0.0)
 
 
 def fit(figure, area=(0.0, 0.0, 1.0, 1.0), **padding):

@@ -84,6 +84,8 @@ def test_vtk(run):
     assert (contacts["grains"] == found["/contacts/grains"]).all()
     for name in ("normal_force", "tangential_force", "overlap", "sliding"):
         assert (contacts[name] == found[f"/contacts/{name}"]).all(), name
+    _, _, ends_of_lines, _ = vtp(out / f"contacts_{last}")  # the filter Tube asks for arrays of points
+    assert (ends_of_lines["normal_force"].reshape(-1, 2) == contacts["normal_force"][:, None]).all()
     # The length of a line is the distance of the centres, also across a periodic side, or the radius at a wall.
     ends = points.reshape(-1, 2, 3)
     radius = dict(zip(found["/grains/id"], found["/grains/radius"]))
@@ -94,16 +96,63 @@ def test_vtk(run):
                        + found["/contacts/tangential_force"][:, None] * found["/contacts/normal"][:, ::-1] * [-1, 1])
 
 
+def test_vtk_walls_and_fields(run):
+    exported(run, "--to", "vtk")
+    out = run.out / "export/vtk"
+    if "/walls/name" in run.found:
+        data, points, _, cells = vtp(sorted(out.glob("walls_*.vtp"))[-1])
+        assert data.GetNumberOfLines() == len(run.found["/walls/name"]) == len(set(cells["wall"]))
+        ends = points.reshape(-1, 2, 3)[:, :, :2]
+        place, normal = run.found["/walls/position"], run.found["/walls/normal"]
+        assert np.allclose(np.einsum("wed,wd->we", ends - place[:, None], normal), 0.0, atol=1e-12)
+    else:
+        assert not list(out.glob("walls*"))
+    vtk = pytest.importorskip("vtkmodules.vtkIOXML")
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    reader = vtk.vtkXMLImageDataReader()
+    reader.SetFileName(str(out / "fields.vti"))
+    reader.Update()
+    image, x, y = reader.GetOutput(), run.found["/analysis/fields/x"], run.found["/analysis/fields/y"]
+    assert image.GetDimensions() == (len(x) + 1, len(y) + 1, 1)
+    cell = image.GetSpacing()[0]
+    assert image.GetOrigin()[:2] == pytest.approx((x[0] - cell / 2, y[0] - cell / 2))
+    values = vtk_to_numpy(image.GetCellData().GetArray("stress_yy")).reshape(len(y), len(x))
+    assert (values == run.found["/analysis/fields/stress_yy"]).all()
+
+
+def test_a_deposition_has_no_forces_to_export(lab):
+    lab.run("method = { kind = 'deposition', critical_angle = 50 }\nbase = { kind = 'contiguous', count = 12 }\n"
+            "source = { count = 60 }\n")
+    exported(lab, "--to", "vtk")
+    exported(lab, "--to", "csv")
+    _, _, _, contacts = vtp(next((lab.path / "out/export/vtk").glob("contacts_*.vtp")))
+    assert set(contacts) == {"grains", "overlap"}
+    _, columns = table(lab.path / "out/export/csv/contacts.csv")
+    assert not any("force" in name or name in ("history", "sliding", "rolling") for name in columns)
+
+
+def test_attributes_are_text_and_units_are_those_of_the_scene(lab):
+    out = lab.run("units = 'SI'\ngravity = 9.81\n[grains]\ndiameter = 0.005\nmass = 5e-4\n[contact]\nnormal = { law = 'hooke', "
+                  "stiffness = 1e4, damping = 0.5 }\n[base]\nkind = 'plane'\n[[grain]]\nposition = [0, 0.0025]\n[stop]\ntime = 0.02\n")
+    with h5py.File(out / "run.h5") as file:
+        assert file.attrs["units"] == "SI" and isinstance(file.attrs["title"], str)
+        assert file["grains"].attrs["units"] == "SI" and file["grains/velocity"].attrs["unit"] == "m/s"
+        assert file["contacts/normal_force"].attrs["unit"] == "kg m/s^2" and file["grains/id"].attrs["unit"] == ""
+        assert file["contacts/point"][0] == pytest.approx([0.0, 0.0], abs=1e-5)
+
+
 def snapshots(path):
     """[(header items, column names, rows)] of a LAMMPS dump."""
     found, lines = [], iter(path.read_text().splitlines())
     header = {}
     for line in lines:
         item = line.removeprefix("ITEM: ")
-        if item.startswith("TIMESTEP"):
-            header = {"step": int(next(lines))}
-        elif item.startswith("TIME"):
-            header["time"] = float(next(lines))
+        if item == "TIME":  # LAMMPS writes it first, and reads it nowhere else
+            header = {"time": float(next(lines))}
+        elif item == "TIMESTEP":
+            assert header.keys() == {"time"}
+            header["step"] = int(next(lines))
         elif item.startswith("NUMBER"):
             header["count"] = int(next(lines))
         elif item.startswith("BOX BOUNDS"):
@@ -162,7 +211,12 @@ def test_csv_holds_every_table(run):
     files = {line.split("/")[-1] for line in said.splitlines()}
     assert files == {p.name for p in (run.path / "tables").iterdir()}
     seen = set()
-    for file in files:
+    frames = {file for file in files if file.startswith("frame_")}
+    assert frames == {f"frame_{k:06}_{name}.csv" for k in range(len(run.frames)) for name in ("grains", "contacts")}
+    _, last = table(run.path / "tables" / f"frame_{len(run.frames) - 1:06}_grains.csv")
+    with h5py.File(run.out / f"frames/{len(run.frames) - 1:06}.h5") as file:
+        assert [float(x) for x in last["position_x"]] == file["grains/position"][:, 0].tolist()
+    for file in files - frames:
         notes, columns = table(run.path / "tables" / file)
         group = notes[0].split()[1]
         prefix = f"/analysis/{group}/" if file.startswith("analysis_") else f"/{group}/"

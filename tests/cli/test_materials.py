@@ -4,6 +4,7 @@
 
 import math
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -125,6 +126,17 @@ def test_rolling_friction_makes_heaps_steeper(lab):
     assert heights[1] > heights[0] + 1.0
 
 
+# Constant: 2/3 mu_r g = 0.04, so the disc stops after v^2/(2 a) = 12.5 and then creeps to rest within 3e-3.
+# Viscous: v = exp(-2/3 b t). The slip spring leaves an error of some m g / k_t = 2e-4 times the path.
+def test_example_of_rolling(lab):
+    example = Path(__file__).parents[2] / "examples/rolling.toml"
+    assert lab("run", example, "--out", "constant", "--quiet").returncode == 0
+    assert Grains(lab.path / "constant/run.h5").position[0, 0] == pytest.approx(12.5, abs=0.01)
+    text = example.read_text().replace('law = "constant", friction = 0.06', 'law = "viscous", friction = 10, rate = 0.3')
+    out = lab.run(text.replace("time = 40.0", "time = 10.0"), out="viscous")
+    assert Grains(out / "run.h5").velocity[0, 0] == pytest.approx(math.exp(-2.0), abs=1e-3)
+
+
 def test_check_prints_each_pair(lab):
     lab.scene("[contact]\n" + HOOKE % "restitution = 0.7" + """[[material]]
 name = "stone"
@@ -173,6 +185,10 @@ WRONG = {
     "mindlin with hooke": ("[contact]\nnormal = { law = 'hooke' }\ntangential = { law = 'mindlin' }\n" + BODY,
                            "contact.tangential.law = \"mindlin\": needs contact.normal.law = \"hertz\""),
     "rolling without friction": ("[contact]\nrolling = { law = 'spring' }\n" + BODY, "contact.rolling.friction: missing"),
+    "viscous rolling without rate": ("[contact]\nrolling = { law = 'viscous', friction = 0.1 }\n" + BODY,
+                                     "contact.rolling.rate: missing"),
+    "constant rolling at once": ("[contact]\nrolling = { law = 'constant', friction = 0.1, full_at = 0 }\n" + BODY,
+                                 "contact.rolling.full_at = 0: must be > 0"),
     "viscous without rate": ("[contact]\ntangential = { law = 'viscous' }\n" + BODY, "contact.tangential.rate: missing"),
     "unknown material": (BODY + "[[plane]]\npoint = [0, 0]\nnormal = [0, 1]\nmaterial = 'gold'\n",
                          "plane[0].material = \"gold\": must be one of \"grain\""),

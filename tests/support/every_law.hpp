@@ -41,7 +41,7 @@ inline std::vector<RollingLaw> every_rolling_law() {
       {FreeRolling{}, RollingSpring{0.1, 500.0, 0.3}, RollingViscous{0.1, 5.0}, RollingConstant{0.1, 0.3}});
 }
 inline std::vector<CohesionLaw> every_cohesion_law() {
-  return and_all_others<CohesionLaw>({NoCohesion{}, ConstantCohesion{0.4}});
+  return and_all_others<CohesionLaw>({NoCohesion{}, ConstantCohesion{0.4}, Jkr{0.2, 1.5e5}});
 }
 
 /// Calls `use` with every normal and tangential law, without rolling resistance and cohesion.

@@ -65,7 +65,7 @@ TEST(TimeSteps, WhatNoRunReaches) {
   EXPECT_EQ(steps.count(std::numeric_limits<double>::infinity()), 1000000000000000L);
   EXPECT_EQ(steps.count(1e300), 1000000000000000L);
   EXPECT_EQ(steps.count(-1.0), 0);
-  EXPECT_GT(Every(1e300, Every(1e200, steps)).after(1.0), 1e11);
+  EXPECT_GT(Every(1e300, steps).after(1.0), 1e11);
 }
 
 TEST(Every, MultiplesOfWholeSteps) {

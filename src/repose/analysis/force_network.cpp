@@ -75,15 +75,29 @@ std::vector<Vec<D>> net_forces(const Grains<D>& grains, const Contacts<D>& conta
 }
 
 template <int D>
+double mean_normal_force(const Contacts<D>& contacts) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (const auto& contact : contacts.list) {
+    const double size = std::fabs(contact.normal_force);
+    if (!(size > 0.0) || !std::isfinite(size)) continue;
+    sum += size;
+    count += 1.0;
+  }
+  return count > 0.0 ? sum / count : 0.0;
+}
+
+template <int D>
 double force_residual(const Grains<D>& grains, const Contacts<D>& contacts, const Vec<D>& gravity) {
   const double strength = magnitude(gravity);
-  if (!(strength > 0.0)) return std::numeric_limits<double>::quiet_NaN();
+  const double mean = strength > 0.0 ? 0.0 : mean_normal_force(contacts);
+  if (!(strength > 0.0) && !(mean > 0.0)) return std::numeric_limits<double>::quiet_NaN();
   const auto net = net_forces(grains, contacts, gravity);
   double sum = 0.0;
   double count = 0.0;
   for (const auto k : by_id(grains)) {
     if (grains.line[k].fixed()) continue;
-    sum += magnitude(net[k]) / (grains.line[k].mass * strength);
+    sum += magnitude(net[k]) / (strength > 0.0 ? grains.line[k].mass * strength : mean);
     count += 1.0;
   }
   return count > 0.0 ? sum / count : 0.0;
@@ -97,6 +111,7 @@ double max_overlap(const Contacts<D>& contacts) {
 }
 
 template std::vector<Vec<2>> net_forces(const Grains<2>&, const Contacts<2>&, const Vec<2>&);
+template double mean_normal_force(const Contacts<2>&);
 template double force_residual(const Grains<2>&, const Contacts<2>&, const Vec<2>&);
 template double max_overlap(const Contacts<2>&);
 

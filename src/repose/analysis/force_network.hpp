@@ -29,8 +29,13 @@ ForceNetwork measure_force_network(const Grains<2>& grains, const Contacts<2>& c
 template <int D>
 std::vector<Vec<D>> net_forces(const Grains<D>& grains, const Contacts<D>& contacts, const Vec<D>& gravity);
 
+/// The mean magnitude [M L/T^2] of the normal forces that are not zero; 0 without any.
+template <int D>
+double mean_normal_force(const Contacts<D>& contacts);
+
 /// The mean over moving grains of the net force (magnitude) divided by the grain's weight: 0 at rest, 1 in free fall.
-/// It is computed from the contacts alone, independently of the method that moved the grains. NaN without gravity.
+/// Without gravity it is divided by the mean normal force of the contacts, and NaN where these carry none. It is
+/// computed from the contacts alone, independently of the method that moved the grains.
 template <int D>
 double force_residual(const Grains<D>& grains, const Contacts<D>& contacts, const Vec<D>& gravity);
 

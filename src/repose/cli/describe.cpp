@@ -3,7 +3,9 @@
 #include "repose/cli/describe.hpp"
 
 #include "repose/laws/impact.hpp"
+#include "repose/record/force_unit.hpp"
 #include "repose/results/results.hpp"
+#include "repose/results/warnings.hpp"
 #include "repose/scene/materials.hpp"
 #include "repose/simulation/expectation.hpp"
 #include "repose/simulation/sources/initial.hpp"
@@ -12,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace repose {
 
@@ -39,7 +42,7 @@ std::string or_none(const std::optional<double>& value, const char* format) {
   return value ? fmt::format(fmt::runtime(format), *value) : "not defined";
 }
 
-/// Mean sweeps per step, and a warning if steps did not converge.
+/// Mean sweeps per step, and impacts whose restitution gave way.
 std::string describe_solver(const Record& record) {
   const auto* solver = record.scene.method->solver();
   if (solver == nullptr) return "";
@@ -47,12 +50,6 @@ std::string describe_solver(const Record& record) {
   if (all.steps == 0) return "";
   std::string text = fmt::format("solver           {:.3g} sweeps a step\n",
                                  static_cast<double>(all.sweeps) / static_cast<double>(all.steps));
-  if (all.unconverged > 0) {
-    text += fmt::format(
-        "warning          {} of {} steps did not converge within method.most_sweeps = {}: worst residual {:.2g} g dt, "
-        "method.tolerance = {:g}; a packing creeps while that lasts\n",
-        all.unconverged, all.steps, solver->most_sweeps, all.worst_residual, solver->tolerance);
-  }
   if (all.reduced > 0) {
     text += fmt::format("restitution      gave way in {} of {} impacts, so that the kinetic energy does not rise\n",
                         all.reduced, all.impacts);
@@ -96,6 +93,23 @@ std::string describe_force_range(const ForceRange& range) {
   line("dip index", range.dip, "");
   line("largest force", range.largest, " grain weights");
   return text;
+}
+
+/// The overlap [L] at rest of two grains of diameter d and mass m under a load [M L/T^2].
+double rest_overlap(const ContactLaws& laws, double m, double d, double load) {
+  const auto* adhesion = std::get_if<Jkr>(&laws.cohesion);
+  if (adhesion != nullptr) return at_radius(*adhesion, 0.25 * d).overlap_under(load);
+  return static_overlap({laws.normal}, m, d, load);
+}
+
+/// The pull-off force of two grains of diameter d, where they adhere.
+std::string adhesion_text(const ContactLaws& laws, double d, double weight, const std::string& between) {
+  const auto* adhesion = std::get_if<Jkr>(&laws.cohesion);
+  if (adhesion == nullptr) return "";
+  const double pull = 1.5 * std::numbers::pi * adhesion->surface_energy * 0.25 * d;
+  const auto in_weights = weight > 0.0 ? fmt::format(", {:.4g} grain weights", pull / weight) : "";
+  return fmt::format("adhesion         {}: pull-off force {:.4g}{}, on a wall twice that; restitution is without it\n",
+                     between, pull, in_weights);
 }
 
 /// The speed of a sound wave along a chain of nominal grains of the first material, sqrt(k/m) d.
@@ -145,30 +159,34 @@ std::string describe_contacts(const Scene& scene) {
   const double column = scene.expected_column();
   // The speed after a fall of one diameter; without gravity, a thousandth of a diameter in a time step.
   const double speed = scene.gravity > 0.0 ? std::sqrt(2.0 * scene.gravity * d) : 1e-3 * d / step;
-  std::string text = fmt::format(
-      "contacts         grains of {:g} that meet at {:.3g}; overlaps at rest in diameters, a column of {:.0f} grains\n",
-      d, speed, column);
+  std::string text = fmt::format("contacts         grains of {:g} that meet at {:.3g}", d, speed);
+  if (weight > 0.0) text += fmt::format("; overlaps at rest in diameters, a column of {:.0f} grains", column);
+  text += "\n";
   text += fmt::format("  {:24} {:>11} {:>12} {:>12} {:>12} {:>7}\n", "between", "restitution", "contact time",
                       "under one", "under column", "steps");
+  std::string adhesion;
   std::string warnings;
   for (std::size_t a = 0; a < names.size(); ++a) {
     for (std::size_t b = a; b < names.size(); ++b) {
-      const AnyNormal law{laws.table[a * names.size() + b].normal};
+      const auto& of_pair = laws.table[a * names.size() + b];
+      const AnyNormal law{of_pair.normal};
       const double m = 2.0 * scene.mass_of(d, names[a]) * scene.mass_of(d, names[b]) /
                        (scene.mass_of(d, names[a]) + scene.mass_of(d, names[b]));
       const auto impact = head_on(law, {.mass = m, .reduced_mass = 0.5 * m, .diameter = d, .speed = speed});
       const double steps = impact.duration / step;
-      const double under_column = static_overlap(law, m, d, column * weight) / d;
+      const double under_column = rest_overlap(of_pair, m, d, column * weight) / d;
       const auto between = names.size() == 1 ? std::string("any two") : names[a] + " and " + names[b];
-      text += fmt::format("  {:24} {:11.4f} {:12.4g} {:12.3g} {:12.3g} {:7.1f}\n", between, impact.restitution,
-                          impact.duration, static_overlap(law, m, d, weight) / d, under_column, steps);
+      const auto shown = [&](double overlap) { return weight > 0.0 ? fmt::format("{:.3g}", overlap) : "-"; };
+      text += fmt::format("  {:24} {:11.4f} {:12.4g} {:>12} {:>12} {:7.1f}\n", between, impact.restitution,
+                          impact.duration, shown(rest_overlap(of_pair, m, d, weight) / d), shown(under_column), steps);
+      adhesion += adhesion_text(of_pair, d, weight, between);
       constexpr double least_steps = 10.0;
       constexpr double most_overlap = 0.05;
       if (steps < least_steps) {
         warnings += fmt::format("warning          {}: fewer than {:g} steps in a contact\n", between, least_steps);
       }
       constexpr double nearly_undamped = 0.95;
-      const auto& tangential = laws.table[a * names.size() + b].tangential;
+      const auto& tangential = of_pair.tangential;
       if (impact.restitution > nearly_undamped && std::holds_alternative<Cumulative>(tangential)) {
         warnings += fmt::format(
             "warning          {}: the cumulative law creates energy in oblique impacts, several per cent at a friction "
@@ -181,7 +199,7 @@ std::string describe_contacts(const Scene& scene) {
       }
     }
   }
-  text += sound_text(scene, laws.table.front());
+  text += adhesion + sound_text(scene, laws.table.front());
   if (const double largest = scene.largest_step_of_bed(); step > largest) {
     warnings += fmt::format(
         "warning          grains of a dense bed under the column may never come to rest at this step; at {:.3g} and "
@@ -198,6 +216,7 @@ std::string describe_result(const Record& record, const Results& results) {
       facts.time, facts.steps, facts.wall_seconds, facts.grain_steps / std::max(facts.wall_seconds, 1e-9));
   text += fmt::format("grains           {} present, {} lost\n", moving_count(*record.grains), facts.lost);
   text += describe_solver(record);
+  for (const auto& warning : warnings_of(record)) text += fmt::format("warning          {}\n", warning);
   if (results.packing) text += describe_packing(*results.packing);
   if (!results.packing_problem.empty())
     text += fmt::format("packing          not measured: {}\n", results.packing_problem);
@@ -211,8 +230,8 @@ std::string describe_result(const Record& record, const Results& results) {
   };
   text += fmt::format("angle of repose  left {} right {} moments {} deg\n", flank(heap.left), flank(heap.right),
                       heap.moments_angle_deg ? fmt::format("{:.1f}", *heap.moments_angle_deg) : "-");
-  text += fmt::format("coordination     {} (contacts above {:g} grain weights)\n",
-                      or_none(results.network.coordination, "{:.3f}"), record.scene.analysis.force_threshold);
+  text += fmt::format("coordination     {} (contacts above {:g} {})\n", or_none(results.network.coordination, "{:.3f}"),
+                      record.scene.analysis.force_threshold, force_unit_name(record.scene));
   if (results.core.grains > 0) {
     text += fmt::format("core             {} grains, solid fraction {:.4f}, coordination {:.3f}\n", results.core.grains,
                         *results.core.solid_fraction, *results.core.coordination);
@@ -224,7 +243,7 @@ std::string describe_result(const Record& record, const Results& results) {
     text += fmt::format("avalanches       {} of at least {} grains in {} intervals\n", results.motion.avalanches.size(),
                         record.scene.analysis.avalanche, results.motion.rows.size());
   }
-  text += fmt::format("weight error     {}\n", or_none(results.weight_error, "{:.2e}"));
+  if (record.scene.gravity > 0.0) text += fmt::format("weight error     {}\n", or_none(results.weight_error, "{:.2e}"));
   return text;
 }
 

@@ -32,7 +32,7 @@ struct Column {
   /// Gives the values back and returns how many rows the file has. Empty where they follow from other columns.
   std::function<std::size_t(const Hdf5Reader&, const std::string& path, From&)> read = {};
   std::string rows = {};  ///< letter for the number of rows in the reference, where it is not that of the group
-  bool newer = false;     ///< files of older programs do not have it: reading leaves the values as they are
+  bool optional = false;  ///< a file may lack it: reading leaves the values as they are
 };
 
 template <class From>
@@ -77,7 +77,7 @@ Column<std::vector<Row>> column(const std::string& name, Value Row::*member, con
 template <class From, class Part, class Get>
 Column<From> column_of(const Column<Part>& column, Get part) {
   Column<From> made{column.name, column.unit, column.meaning, column.columns, column.type,
-                    {},          {},          column.rows,    column.newer};
+                    {},          {},          column.rows,    column.optional};
   made.write = [=](Hdf5File& file, const std::string& path, const From& from) {
     column.write(file, path, std::invoke(part, from));
   };
@@ -112,10 +112,10 @@ Column<From> array(const std::string& name, std::vector<Row> From::*member, cons
   return array<From, std::vector<Row> From::*>(name, member, unit, meaning);
 }
 
-/// The column, which files of older programs do not have.
+/// The column, which a file may lack.
 template <class From>
-Column<From> newer(Column<From> column) {
-  column.newer = true;
+Column<From> optional(Column<From> column) {
+  column.optional = true;
   return column;
 }
 
@@ -155,7 +155,7 @@ template <class From>
 void read_columns(const Hdf5Reader& file, const std::string& group, const Columns<From>& columns, From& from,
                   std::optional<std::size_t> rows = std::nullopt) {
   for (const auto& column : columns) {
-    if (!column.read || (column.newer && !file.has(group + "/" + column.name))) continue;
+    if (!column.read || (column.optional && !file.has(group + "/" + column.name))) continue;
     const auto found = column.read(file, group + "/" + column.name, from);
     if (found != rows.value_or(found)) throw InputError(file.path() + ": " + group + ": the datasets differ in length");
     rows = found;

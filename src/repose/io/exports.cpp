@@ -3,6 +3,7 @@
 #include "repose/io/exports.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace repose {
 
@@ -32,13 +33,16 @@ Bounds2 bounds_of(const Grains<2>& grains, const Box<2>& box) {
   return bounds;
 }
 
+/// Radii of a grain that a bond with the mean force is wide.
+constexpr double width_at_mean = 0.3;
+
 // All numbers are printed with the fewest digits that read back as the same bits.
 
 void print_header(WholeFile& file, const Moment& moment, const Box<2>& box, const char* what, std::size_t count) {
   const auto bounds = bounds_of(*moment.grains, box);
   file.print(
-      "ITEM: TIMESTEP\n{}\nITEM: TIME\n{}\nITEM: NUMBER OF {}\n{}\nITEM: BOX BOUNDS {} ff pp\n{} {}\n{} {}\n-0.5 0.5\n",
-      moment.step, moment.time, what, count, box.periodic ? "pp" : "ff", bounds.low[0], bounds.high[0], bounds.low[1],
+      "ITEM: TIME\n{}\nITEM: TIMESTEP\n{}\nITEM: NUMBER OF {}\n{}\nITEM: BOX BOUNDS {} ff pp\n{} {}\n{} {}\n-0.5 0.5\n",
+      moment.time, moment.step, what, count, box.periodic ? "pp" : "ff", bounds.low[0], bounds.high[0], bounds.low[1],
       bounds.high[1]);
 }
 
@@ -83,7 +87,7 @@ VtkPolyData grains_for_vtk(const Moment& moment) {
   return data;
 }
 
-VtkPolyData contacts_for_vtk(const Moment& moment, const Box<2>& box) {
+VtkPolyData contacts_for_vtk(const Moment& moment, const Box<2>& box, bool forces) {
   VtkPolyData data;
   data.vertices = false;
   std::vector<double> normal_force, tangential_force, overlap, force;
@@ -107,10 +111,52 @@ VtkPolyData contacts_for_vtk(const Moment& moment, const Box<2>& box) {
     partners.insert(partners.end(), {contact.first, contact.second});
     sliding.push_back(contact.sliding ? 1 : 0);
   }
+  if (!forces) {
+    data.cell_data = {{"grains", 2, partners}, {"overlap", 1, overlap}};
+    return data;
+  }
   data.cell_data = {
       {"grains", 2, partners}, {"normal_force", 1, normal_force}, {"tangential_force", 1, tangential_force},
       {"force", 3, force},     {"overlap", 1, overlap},           {"sliding", 1, sliding}};
+  // The filter Tube takes its radius from points.
+  const auto twice = [](const std::vector<double>& values) {
+    std::vector<double> both;
+    for (const double value : values) both.insert(both.end(), {value, value});
+    return both;
+  };
+  data.point_data = {{"normal_force", 1, twice(normal_force)},
+                     {"tangential_force", 1, twice(tangential_force)},
+                     {"overlap", 1, twice(overlap)}};
   return data;
+}
+
+VtkPolyData walls_for_vtk(const std::vector<WallLine>& walls) {
+  VtkPolyData data;
+  data.vertices = false;
+  std::vector<std::int64_t> numbers;
+  for (const auto& wall : walls) {
+    const auto point = static_cast<std::int64_t>(data.points.size() / 3);
+    data.lines.insert(data.lines.end(), {point, point + 1});
+    for (const auto& end : {wall.from, wall.to}) data.points.insert(data.points.end(), {end[0], end[1], 0.0});
+    numbers.push_back(wall.number);
+  }
+  data.cell_data = {{"wall", 1, numbers}};
+  return data;
+}
+
+WallLine line_of(const Wall<2>& wall, std::int64_t number, const Moment& moment) {
+  const Vec<2> along{{wall.normal[1], -wall.normal[0]}};
+  if (wall.finite()) {
+    return {wall.point - along * wall.half_length, wall.point + along * wall.half_length, number};
+  }
+  // An endless wall is drawn beside the grains and a little beyond.
+  double first = 0.0, last = 0.0;
+  for (const auto& grain : moment.grains->line) {
+    const double place = dot(Vec<2>(grain.position - wall.point), along);
+    first = std::min(first, place - 2.0 * grain.radius);
+    last = std::max(last, place + 2.0 * grain.radius);
+  }
+  return {wall.point + along * first, wall.point + along * last, number};
 }
 
 void add_grains_for_lammps(WholeFile& file, const Moment& moment, const Box<2>& box) {
@@ -138,12 +184,17 @@ void add_contacts_for_lammps(WholeFile& file, const Moment& moment, const Box<2>
   const auto& list = moment.contacts.list;
   const auto count = static_cast<std::size_t>(std::count_if(list.begin(), list.end(), between_grains));
   print_header(file, moment, box, "ENTRIES", count);
-  file.print("ITEM: ENTRIES index batom1 batom2 force tangential overlap sliding\n");
+  file.print("ITEM: ENTRIES index batom1 batom2 force tangential overlap sliding Width\n");
+  double mean = 0.0;
+  for (const auto& contact : list) mean += between_grains(contact) ? std::fabs(contact.normal_force) : 0.0;
+  mean /= static_cast<double>(std::max<std::size_t>(count, 1));
   std::size_t index = 0;
   for (const auto& contact : list) {
     if (!between_grains(contact)) continue;
-    file.print("{} {} {} {} {} {} {}\n", ++index, contact.first + 1, contact.second + 1, contact.normal_force,
-               contact.tangential_force, contact.overlap, contact.sliding ? 1 : 0);
+    const double radius = moment.grains->line[moment.grains.find(contact.first).value()].radius;
+    const double width = mean > 0.0 ? width_at_mean * radius * std::fabs(contact.normal_force) / mean : 0.0;
+    file.print("{} {} {} {} {} {} {} {}\n", ++index, contact.first + 1, contact.second + 1, contact.normal_force,
+               contact.tangential_force, contact.overlap, contact.sliding ? 1 : 0, width);
   }
 }
 

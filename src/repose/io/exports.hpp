@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/boundaries/wall.hpp"
 #include "repose/core/box.hpp"
 #include "repose/core/contacts.hpp"
 #include "repose/core/ordered_grains.hpp"
@@ -29,13 +30,25 @@ struct Moment {
 VtkPolyData grains_for_vtk(const Moment& moment);
 
 /// The contacts as lines from centre to centre, or from a centre to the wall. Across a periodic side a line ends at the
-/// nearest image, outside the box.
-VtkPolyData contacts_for_vtk(const Moment& moment, const Box<2>& box);
+/// nearest image, outside the box. Without `forces` they have partners and overlaps alone.
+VtkPolyData contacts_for_vtk(const Moment& moment, const Box<2>& box, bool forces);
 
-/// Adds the grains as a snapshot of a LAMMPS text dump. The written box is as wide as a periodic box, or as the grains.
+/// A wall as a line [L].
+struct WallLine {
+  Vec<2> from{};
+  Vec<2> to{};
+  std::int64_t number = 0;
+};
+WallLine line_of(const Wall<2>& wall, std::int64_t number, const Moment& moment);
+
+VtkPolyData walls_for_vtk(const std::vector<WallLine>& walls);
+
+/// Adds the grains as a snapshot of a LAMMPS text dump, whose items have the order in which LAMMPS writes them. The
+/// written box is as wide as a periodic box, or as the grains.
 void add_grains_for_lammps(WholeFile& file, const Moment& moment, const Box<2>& box);
 
-/// Adds the contacts between grains as a snapshot of a LAMMPS local dump, which OVITO reads as bonds.
+/// Adds the contacts between grains as a snapshot of a LAMMPS local dump, which OVITO reads as bonds; `Width` [L] goes
+/// with the normal force.
 void add_contacts_for_lammps(WholeFile& file, const Moment& moment, const Box<2>& box);
 
 }  // namespace repose

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <utility>
 
@@ -27,6 +28,25 @@ hid_t same_bits_layout() {
   return layout;
 }
 
+/// A unit in L, M and T as one in m, kg and s; words stay.
+std::string in_si(std::string_view unit) {
+  std::string text;
+  const auto letter = [&](std::size_t k) {
+    return k < unit.size() && std::isalpha(static_cast<unsigned char>(unit[k]));
+  };
+  for (std::size_t k = 0; k < unit.size(); ++k) {
+    const bool alone = !letter(k + 1) && (k == 0 || !letter(k - 1));
+    const auto found = std::string_view("LMT").find(unit[k]);
+    if (alone && found != std::string_view::npos) {
+      constexpr std::string_view si[] = {"m", "kg", "s"};
+      text += si[found];
+    } else {
+      text += unit[k];
+    }
+  }
+  return text;
+}
+
 /// Creates and writes an attribute; false on failure.
 bool write_attribute(hid_t file, const std::string& object, const std::string& name, hid_t type, hid_t space,
                      const void* value) {
@@ -38,7 +58,8 @@ bool write_attribute(hid_t file, const std::string& object, const std::string& n
 
 }  // namespace
 
-Hdf5File::Hdf5File(std::string path) : path_(std::move(path)), temporary_(path_ + ".tmp") {
+Hdf5File::Hdf5File(std::string path, std::string units)
+    : path_(std::move(path)), units_(std::move(units)), temporary_(path_ + ".tmp") {
   set_up_hdf5();
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   H5Pset_userblock(creation.id(), seal_size);
@@ -58,14 +79,16 @@ void Hdf5File::group(const std::string& name) {
   if (H5Lexists(file_, name.c_str(), H5P_DEFAULT) > 0) return;
   const Handle group(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   if (group.failed()) fail();
+  if (!units_.empty()) attribute(name, "units", units_);
 }
 
 void Hdf5File::attribute(const std::string& object, const std::string& name, const std::string& value) {
   const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-  H5Tset_size(type.id(), value.size() + 1);
+  H5Tset_size(type.id(), H5T_VARIABLE);  // h5py reads it as str, and text of fixed length as bytes
   H5Tset_cset(type.id(), H5T_CSET_UTF8);
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  if (!write_attribute(file_, object, name, type.id(), space.id(), value.c_str())) fail();
+  const char* const characters = value.c_str();
+  if (!write_attribute(file_, object, name, type.id(), space.id(), &characters)) fail();
 }
 
 void Hdf5File::attribute(const std::string& object, const std::string& name, std::int64_t value) {
@@ -115,7 +138,7 @@ void Hdf5File::write(const std::string& name, const std::vector<T>& values, std:
       fail();
     }
   }
-  attribute(name, "unit", std::string(unit));
+  attribute(name, "unit", units_ == "SI" ? in_si(unit) : std::string(unit));
   attribute(name, "meaning", std::string(meaning));
 }
 

@@ -14,7 +14,8 @@ namespace repose {
 /// reason if it fails.
 class Hdf5File {
  public:
-  explicit Hdf5File(std::string path);
+  /// With `units`, "reduced" or "SI", each group says them, and datasets have their units in m, kg and s for "SI".
+  explicit Hdf5File(std::string path, std::string units = "");
   /// Without a commit nothing is left behind.
   ~Hdf5File();
   Hdf5File(const Hdf5File&) = delete;
@@ -54,6 +55,7 @@ class Hdf5File {
   [[noreturn]] void fail() const;
 
   std::string path_;
+  std::string units_;
   std::string temporary_;
   std::int64_t file_ = -1;
 };

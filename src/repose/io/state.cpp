@@ -41,15 +41,15 @@ const Columns<std::vector<Contact<D>>>& contact_columns() {
       column("overlap", &Row::overlap, "L", "mean diameter less distance; negative in the tail of the continuous law"),
       column("relative_overlap", &Row::relative_overlap, "", "overlap over the mean diameter of the pair"),
       column("lever", &Row::first_lever, "L", "from the centre of the first to the contact point"),
-      column("normal_force", &Row::normal_force, "M L/T^2", "on the first, positive pushes apart"),
-      column("tangential_force", &Row::tangential_force, "M L/T^2",
-             "on the first, along the normal turned by +90 degrees"),
-      column("history", &Row::slip, "L",
-             "slip displacement: the relative tangential displacement since the contact closed, kept within the "
-             "Coulomb limit"),
-      newer(column("rolling", &Row::rolling, "M L/T^2",
-                   "rolling torque on the first over the roll radius 2 r_i r_j / (r_i + r_j)")),
-      column("sliding", &Row::sliding, "", "1: at the Coulomb limit"),
+      optional(column("normal_force", &Row::normal_force, "M L/T^2", "on the first, positive pushes apart")),
+      optional(column("tangential_force", &Row::tangential_force, "M L/T^2",
+                      "on the first, along the normal turned by +90 degrees")),
+      optional(column("history", &Row::slip, "L",
+                      "slip displacement: the relative tangential displacement since the contact closed, kept within "
+                      "the Coulomb limit")),
+      optional(column("rolling", &Row::rolling, "M L/T^2",
+                      "rolling torque on the first over the roll radius 2 r_i r_j / (r_i + r_j)")),
+      optional(column("sliding", &Row::sliding, "", "1: at the Coulomb limit")),
   };
   return columns;
 }
@@ -68,9 +68,15 @@ void write_grains(Hdf5File& file, const OrderedGrains<D>& grains) {
 }
 
 template <int D>
-void write_contacts(Hdf5File& file, const Contacts<D>& contacts) {
+void write_contacts(Hdf5File& file, const Contacts<D>& contacts, const OrderedGrains<D>& grains, bool forces) {
+  auto columns = contact_columns<D>();
+  if (!forces) std::erase_if(columns, [](const auto& column) { return column.optional; });
+  const auto point = [&](const Contact<D>& contact) {
+    return Vec<D>(grains->line[grains.find(contact.first).value()].position - contact.normal * contact.first_lever);
+  };
+  columns.push_back(column<Contact<D>>("point", point, "L", "where the contact is, beside its first partner"));
   file.group("contacts");
-  write_columns(file, "contacts", contact_columns<D>(), contacts.list);
+  write_columns(file, "contacts", columns, contacts.list);
 }
 
 template <int D>
@@ -129,7 +135,7 @@ std::string state_hash(const Grains<2>& grains, const Contacts<2>& contacts) {
 template const Columns<std::vector<GrainState<2>>>& grain_state_columns();
 template const Columns<std::vector<Contact<2>>>& contact_columns();
 template void write_grains(Hdf5File&, const OrderedGrains<2>&);
-template void write_contacts(Hdf5File&, const Contacts<2>&);
+template void write_contacts(Hdf5File&, const Contacts<2>&, const OrderedGrains<2>&, bool);
 template Grains<2> read_grains(const Hdf5Reader&);
 template Contacts<2> read_contacts(const Hdf5Reader&);
 

@@ -35,8 +35,9 @@ const Columns<std::vector<Contact<D>>>& contact_columns();
 
 template <int D>
 void write_grains(Hdf5File& file, const OrderedGrains<D>& grains);
+/// Without `forces` the columns of forces and what belongs to them are left out. `grains` holds the partners.
 template <int D>
-void write_contacts(Hdf5File& file, const Contacts<D>& contacts);
+void write_contacts(Hdf5File& file, const Contacts<D>& contacts, const OrderedGrains<D>& grains, bool forces);
 
 /// The grains of a file in its order. Throws InputError where the group is not as write_grains makes it.
 template <int D>

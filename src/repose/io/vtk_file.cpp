@@ -103,6 +103,21 @@ void write_vtp(const std::string& path, const VtkPolyData& data) {
   file.commit();
 }
 
+void write_vti(const std::string& path, const VtkGrid& grid) {
+  Appended appended;
+  WholeFile file(path);
+  file.print(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+      "header_type=\"UInt64\">\n<ImageData WholeExtent=\"0 {0} 0 {1} 0 0\" Origin=\"{2} {3} 0\" "
+      "Spacing=\"{4} {4} {4}\">\n<Piece Extent=\"0 {0} 0 {1} 0 0\">\n",
+      grid.columns, grid.rows, grid.x, grid.y, grid.cell);
+  file.write(arrays_text("CellData", grid.cell_data, appended));
+  file.write("</Piece>\n</ImageData>\n<AppendedData encoding=\"raw\">\n_");
+  appended.write(file);
+  file.write("\n</AppendedData>\n</VTKFile>\n");
+  file.commit();
+}
+
 void write_pvd(const std::string& path, const std::vector<std::pair<double, std::string>>& files) {
   WholeFile file(path);
   file.print(

@@ -30,6 +30,19 @@ struct VtkPolyData {
 /// a hundred times as large as Repose. Throws RunError.
 void write_vtp(const std::string& path, const VtkPolyData& data);
 
+/// Square cells in rows from below, with values for each.
+struct VtkGrid {
+  std::size_t columns = 0;
+  std::size_t rows = 0;
+  double x = 0.0;  ///< [L] of the corner
+  double y = 0.0;
+  double cell = 0.0;  ///< [L]
+  std::vector<VtkArray> cell_data;
+};
+
+/// Writes a .vti file (image data), like .vtp. Throws RunError.
+void write_vti(const std::string& path, const VtkGrid& grid);
+
 /// Writes a .pvd file, which lists the files of a time series with their times. Throws RunError.
 void write_pvd(const std::string& path, const std::vector<std::pair<double, std::string>>& files);
 

@@ -83,20 +83,29 @@ double stored_energy(const AnyRolling& chosen, const Touch<double>& touch, const
 struct AnyCohesion {
   CohesionLaw law;
 };
-REPOSE_FN double attraction(const AnyCohesion& chosen, const Touch<double>& touch) {
-  return std::visit([&](const auto& law) { return attraction(law, touch); }, chosen.law);
+REPOSE_FN double attraction(const AnyCohesion& chosen, const Touch<double>& touch, bool& bonded) {
+  return std::visit([&](const auto& law) { return attraction(law, touch, bonded); }, chosen.law);
 }
 
-inline double cohesion_energy(const AnyCohesion& chosen, const Touch<double>& touch) {
-  return std::visit([&](const auto& law) { return cohesion_energy(law, touch); }, chosen.law);
+inline double cohesion_energy(const AnyCohesion& chosen, const Touch<double>& touch, bool bonded) {
+  return std::visit([&](const auto& law) { return cohesion_energy(law, touch, bonded); }, chosen.law);
+}
+
+inline double energy_of_break(const AnyCohesion& chosen, const Touch<double>& touch) {
+  return std::visit([&](const auto& law) { return energy_of_break(law, touch); }, chosen.law);
+}
+
+inline double reach_of_bonds(const AnyCohesion& chosen, double smallest_diameter) {
+  return std::visit([&](const auto& law) { return reach_of_bonds(law, smallest_diameter); }, chosen.law);
 }
 
 using AnyPairLaw = PairLaw<AnyNormal, AnyTangential, AnyRolling, AnyCohesion>;
 
 /// Energy [M L^2/T^2] stored by the normal force and the cohesion of a pair in reach.
-inline double elastic_energy(const AnyPairLaw& law, const Touch<double>& touch) {
+inline double elastic_energy(const AnyPairLaw& law, const Touch<double>& touch, bool bonded) {
   const AnyNormal normal{at_radius(law.normal.law, touch.effective_radius)};
-  return elastic_energy(normal, touch.mass, touch.diameter, touch.distance) + cohesion_energy(law.cohesion, touch);
+  return elastic_energy(normal, touch.mass, touch.diameter, touch.distance) +
+         cohesion_energy(law.cohesion, touch, bonded);
 }
 
 inline AnyPairLaw any_pair_law(const ContactLaws& laws) {

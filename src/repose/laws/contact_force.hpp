@@ -17,11 +17,12 @@ struct ContactForce {
   Tangential rolling{};        ///< [M L/T^2] rolling torque divided by the roll radius; opposite on the second grain
 };
 
-/// The displacements [L] in its tangent plane that a contact accumulates.
+/// What a contact keeps of its past: displacements [L] in its tangent plane, and whether it is bonded.
 template <class Tangential>
 struct ContactHistory {
-  Tangential slip{};  ///< slip displacement
-  Tangential roll{};  ///< rolling displacement
+  Tangential slip{};    ///< slip displacement
+  Tangential roll{};    ///< rolling displacement
+  bool bonded = false;  ///< it holds grains that do not overlap; for laws of cohesion that make bonds
 };
 
 /// Evaluates all laws of a pair in reach, and advances its history by dt. The roll velocity is the roll radius times
@@ -31,7 +32,15 @@ template <class Law, class Tangential>
 REPOSE_FN ContactForce<Tangential> contact_force(const Law& law, const Touch<double>& touch,
                                                  const Tangential& slip_velocity, const Tangential& roll_velocity,
                                                  double dt, ContactHistory<Tangential>& history) {
-  ContactForce<Tangential> force{normal_force(law.normal, touch), attraction(law.cohesion, touch), {}, {}};
+  ContactForce<Tangential> force{
+      normal_force(law.normal, touch), attraction(law.cohesion, touch, history.bonded), {}, {}};
+  if constexpr (Law::coheres) {
+    if (touch.engagement < 0.0) {  // bonded beyond the reach of the normal law
+      history.slip = Tangential{};
+      history.roll = Tangential{};
+      return force;
+    }
+  }
   force.tangential = tangential_force(law.tangential, touch, force.normal, slip_velocity, dt, history.slip);
   force.rolling = rolling_force(law.rolling, touch, force.normal, roll_velocity, dt, history.roll);
   return force;
@@ -54,6 +63,9 @@ REPOSE_FN ContactForce<Tangential> contact_force(const Law& law, const Touch<dou
                                                  const HalfSteps& times, ContactHistory<Tangential>& history) {
   const double before = time_before_force(times, touch, history);
   const auto force = contact_force(law, touch, slip_velocity, roll_velocity, before, history);
+  if constexpr (Law::coheres) {
+    if (touch.engagement < 0.0) return force;
+  }
   history.slip = displaced(law.tangential, touch, slip_velocity, times.after, history.slip);
   history.roll = displaced(law.rolling, touch, roll_velocity, times.after, history.roll);
   return force;

@@ -19,6 +19,8 @@ struct PairLaw {
 
   /// Whether contacts resist rolling. If so, each keeps a rolling displacement beside its slip displacement.
   static constexpr bool rolls = !std::is_same_v<Rolling, FreeRolling>;
+  /// Whether contacts attract each other, and may then be bonded beyond the reach of the normal law.
+  static constexpr bool coheres = !std::is_same_v<Cohesion, NoCohesion>;
 };
 template <class Normal, class Tangential>
 PairLaw(Normal, Tangential) -> PairLaw<Normal, Tangential>;

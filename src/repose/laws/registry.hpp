@@ -3,6 +3,7 @@
 #pragma once
 
 #include "repose/laws/cohesion/constant.hpp"
+#include "repose/laws/cohesion/jkr.hpp"
 #include "repose/laws/cohesion/none.hpp"
 #include "repose/laws/normal/continuous.hpp"
 #include "repose/laws/normal/elastic_hertz.hpp"
@@ -29,7 +30,7 @@ namespace repose {
 using NormalLaw = std::variant<Continuous, Hooke, Hertz, ElasticHertz>;
 using TangentialLaw = std::variant<Cumulative, Linear, Mindlin, Viscous, None>;
 using RollingLaw = std::variant<FreeRolling, RollingSpring, RollingViscous, RollingConstant>;
-using CohesionLaw = std::variant<NoCohesion, ConstantCohesion>;
+using CohesionLaw = std::variant<NoCohesion, ConstantCohesion, Jkr>;
 
 /// The laws of a pair of materials, chosen at run time.
 struct ContactLaws {

@@ -18,6 +18,12 @@ double effective_radius(const GrainSize& mover, const GrainSize& partner) {
   return 0.5 * mover.diameter * partner.diameter / (mover.diameter + partner.diameter);
 }
 
+/// The normal force [M L/T^2] of Hertz's law where the contact carries `force`: more, if it adheres.
+double load_of_normal_law(const ContactLaws& laws, double radius, double force) {
+  const auto* adhesion = std::get_if<Jkr>(&laws.cohesion);
+  return adhesion == nullptr ? force : at_radius(*adhesion, radius).apparent_load(force);
+}
+
 /// The linear response of a contact to a displacement and a velocity.
 struct Response {
   double stiffness;  // [M/T^2]
@@ -64,9 +70,12 @@ StiffestContact stiffest_contact(const ContactLaws& laws, const GrainSize& mover
   const double m = mover.mass;
   const double pair_mass = 2.0 * m * partner.mass / (m + partner.mass);
   const double diameter = 0.5 * (mover.diameter + partner.diameter);
-  const double normal =
+  double normal =
       std::visit([&](const auto& law) { return stiffness_at(law, pair_mass, diameter, m * gravity * fall); },
                  at_radius(laws.normal, effective_radius(mover, partner)));
+  if (const auto* adhesion = std::get_if<Jkr>(&laws.cohesion)) {
+    normal = std::max(normal, stiffness_at(at_radius(*adhesion, effective_radius(mover, partner)), m * gravity * fall));
+  }
   const auto at_surface = [&](const auto& law) { return surface_stiffness(law, normal, m); };
   const double stiffest =
       std::max({normal, std::visit(at_surface, laws.tangential), std::visit(at_surface, laws.rolling)});
@@ -79,7 +88,8 @@ double largest_step_of_bed(const ContactLaws& laws, const GrainSize& mover, cons
   const double pair_mass = 2.0 * m * partner.mass / (m + partner.mass);
   const double diameter = 0.5 * (mover.diameter + partner.diameter);
   const AnyNormal normal_law{at_radius(laws.normal, effective_radius(mover, partner))};
-  const double overlap = static_overlap(normal_law, pair_mass, diameter, force);
+  const double load = load_of_normal_law(laws, effective_radius(mover, partner), force);
+  const double overlap = static_overlap(normal_law, pair_mass, diameter, load);
   if (!std::isfinite(overlap)) return std::numeric_limits<double>::infinity();
   const double distance = diameter - overlap;
   const auto touch = make_touch(distance, 1.0 / distance, diameter, reach(normal_law) * diameter, 0.0, pair_mass);
@@ -97,7 +107,7 @@ double least_piston_mass(const ContactLaws& laws, const GrainSize& grain, const 
   const double m = grain.mass;
   const double d = grain.diameter;
   const AnyNormal normal_law{at_radius(laws.normal, 0.5 * d)};
-  const double overlap = static_overlap(normal_law, m, d, load.force);
+  const double overlap = static_overlap(normal_law, m, d, load_of_normal_law(laws, 0.5 * d, load.force));
   if (!std::isfinite(overlap)) return 0.0;
   const double distance = d - overlap;
   const double reduced_mass = m * load.mass / (m + load.mass);

@@ -20,12 +20,13 @@ namespace repose {
 template <int D>
 struct WallPair {
   std::uint32_t wall = 0;
-  Tangent<D> slip{};     ///< [L] slip displacement, zero while apart
-  Tangent<D> roll{};     ///< [L] rolling displacement, zero while apart
-  Vec<D> force{};        ///< [M L/T^2] force on the grain in the last step
-  Vec<D> dissipative{};  ///< [M L/T^2] part of it by dashpot and friction; in a full kernel only
-  Vec<D> surface{};      ///< [L/T] velocity of the wall there in the last step, beyond that of its point
-  Vec<D> impulse{};      ///< [M L/T] impulse on the grain since it was last collected
+  std::uint32_t bonded = 0;  ///< 1: bonded to the wall
+  Tangent<D> slip{};         ///< [L] slip displacement, zero while apart
+  Tangent<D> roll{};         ///< [L] rolling displacement, zero while apart
+  Vec<D> force{};            ///< [M L/T^2] force on the grain in the last step
+  Vec<D> dissipative{};      ///< [M L/T^2] part of it by dashpot and friction; in a full kernel only
+  Vec<D> surface{};          ///< [L/T] velocity of the wall there in the last step, beyond that of its point
+  Vec<D> impulse{};          ///< [M L/T] impulse on the grain since it was last collected
 };
 
 /// Passes the displacements of contacts whose wall does not act on to the wall that acts for it, where that has none of
@@ -37,6 +38,8 @@ void pass_on_displacements(const WallContacts<D>& contacts, WallPair<D>* row) {
     auto& from = row[touch.entry];
     auto& to = row[contacts.acting_for(touch).entry];
     if (&from == &to) continue;
+    to.bonded |= from.bonded;
+    from.bonded = 0;
     if (to.slip == Tangent<D>{} && to.roll == Tangent<D>{}) {
       to.slip = from.slip;
       to.roll = from.roll;
@@ -114,10 +117,10 @@ class WallList {
                               std::uint32_t row, std::uint32_t wall) {
     if (row + 1 < start.size()) {
       for (auto k = start[row]; k < start[row + 1]; ++k) {
-        if (old[k].wall == wall) return {wall, old[k].slip, old[k].roll, {}, {}, {}, {}};
+        if (old[k].wall == wall) return {wall, old[k].bonded, old[k].slip, old[k].roll, {}, {}, {}, {}};
       }
     }
-    return {wall, {}, {}, {}, {}, {}, {}};
+    return {wall, 0, {}, {}, {}, {}, {}, {}};
   }
 
   void gather_impulses(std::size_t walls) {

@@ -190,6 +190,7 @@ std::vector<std::uint32_t> PairList<D>::build(Grains<D>& grains, const Box<D>& b
   const std::vector<std::uint32_t> old_partner = std::move(partner);
   const std::vector<Tangent<D>> old_slip = std::move(slip);
   const std::vector<Tangent<D>> old_roll = std::move(roll);
+  const std::vector<std::uint8_t> old_bonded = std::move(bonded);
   row_start.assign(grains.size() + 1, 0);
   const auto members = static_cast<std::size_t>(team.size());
   std::vector<std::vector<std::uint32_t>> parts(members);
@@ -213,6 +214,7 @@ std::vector<std::uint32_t> PairList<D>::build(Grains<D>& grains, const Box<D>& b
   partner.resize(row_start.back());
   slip.resize(row_start.back());
   if (reach_.rolling) roll.resize(row_start.back());
+  if (reach_.bonds) bonded.resize(row_start.back());
   std::vector<std::uint32_t> widest(members, 0);
   team.run([&](int member) {
     const Range rows = range_of(grains.size(), member, team.size());
@@ -225,6 +227,7 @@ std::vector<std::uint32_t> PairList<D>::build(Grains<D>& grains, const Box<D>& b
         const bool turned_round = order[i] > order[partner[k]];
         slip[k] = was == none ? Tangent<D>{} : (turned_round ? swapped(old_slip[was]) : old_slip[was]);
         if (reach_.rolling) roll[k] = was == none ? Tangent<D>{} : (turned_round ? -old_roll[was] : old_roll[was]);
+        if (reach_.bonds) bonded[k] = was == none ? std::uint8_t{0} : old_bonded[was];
         if (partner[k] - i <= far) band = std::max(band, partner[k] - i);
       }
     }

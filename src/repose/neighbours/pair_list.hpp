@@ -19,6 +19,7 @@ struct PairReach {
   double horizon = 0.0;  ///< [T] fast grains list all grains that they may reach within this time
   double gravity = 0.0;  ///< [L/T^2] acceleration of fast grains during the horizon
   bool rolling = false;  ///< whether pairs keep a rolling displacement too
+  bool bonds = false;    ///< whether pairs keep that they are bonded
 };
 
 /// Pairs of grains that may touch before the list is next built. For each grain i it lists the partners j > i in memory
@@ -68,8 +69,10 @@ class PairList {
     archive.array("pairs/partner", partner);
     archive.array("pairs/history", slip);
     archive.array("pairs/roll", roll);
+    if (reach_.bonds) archive.array("pairs/bonded", bonded);
     archive.check("pairs/partner", row_start.empty() ? partner.empty() : row_start.back() == partner.size());
     archive.check("pairs/history", slip.size() == partner.size());
+    archive.check("pairs/bonded", bonded.size() == (reach_.bonds ? partner.size() : 0));
   }
 
   std::size_t rows() const { return row_start.empty() ? 0 : row_start.size() - 1; }
@@ -87,6 +90,7 @@ class PairList {
   std::vector<std::uint32_t> partner;    ///< (pairs) index of j
   std::vector<Tangent<D>> slip;          ///< (pairs) [L] slip displacement; zero while the pair is apart
   std::vector<Tangent<D>> roll;          ///< (pairs) [L] rolling displacement; empty unless `PairReach::rolling`
+  std::vector<std::uint8_t> bonded;      ///< (pairs) 1: bonded; empty unless `PairReach::bonds`
 
  private:
   struct Extra {

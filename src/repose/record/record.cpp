@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/record/record.hpp"
 
+#include "repose/analysis/wall_span.hpp"
+
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 
 namespace repose {
@@ -27,6 +30,19 @@ Status status_of(const std::string& text) {
     if (status_text(status) == text) return status;
   }
   throw std::out_of_range("no such status: " + text);
+}
+
+namespace {
+
+double per_length(double force, const WallRow& row) {
+  return row.length > 0.0 ? force / row.length : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+double pressure_of(const WallRow& row, const Vec<2>& normal) { return per_length(-dot(row.force, normal), row); }
+double shear_of(const WallRow& row, const Vec<2>& normal) {
+  return per_length(dot(row.force, along_wall(normal)), row);
 }
 
 std::vector<RecordedWall> walls_at(const Record& record, double time) {

@@ -21,7 +21,14 @@ namespace repose {
 struct WallRow {
   double displacement = 0.0;  ///< [L] along the direction in which it moves
   Vec<2> force{};             ///< [M L/T^2] of the grains on it, mean since the row before
+  double length = 0.0;        ///< [L] of the part that grains can press on (analysis/wall_span.hpp)
+  double moment = 0.0;        ///< [M L^2/T^2] of the contacts at that time about the middle of it, counter-clockwise
 };
+
+/// The force per length [M/T^2] of the grains on a wall with this normal: against the normal, so that pressure is
+/// positive, and along the normal turned by +90 degrees. NaN for a wall without length.
+double pressure_of(const WallRow& row, const Vec<2>& normal);
+double shear_of(const WallRow& row, const Vec<2>& normal);
 
 /// One row of the time series.
 struct SeriesRow {

@@ -79,11 +79,11 @@ void check_partners(const std::string& path, const OrderedGrains<2>& grains, con
 
 void write_record(const std::string& path, const Record& record, const std::vector<std::string>& frames,
                   const std::vector<std::string>& segments) {
-  Hdf5File file(path);
+  Hdf5File file(path, record.scene.units);
   write_attributes(file, "/", run_attributes(), record);
   file.texts("scene", {scene_text(record.scene)}, "the scene that was run, complete");
   write_grains(file, record.grains);
-  write_contacts(file, record.contacts);
+  write_contacts(file, record.contacts, record.grains, record.scene.method->traits().has_forces());
   if (!record.walls.empty()) write_group(file, wall_group(), record.walls);
   write_group(file, series_group(), record.series);
   if (!record.wall_series.empty()) write_columns(file, "series", wall_series_columns(), record);
@@ -149,7 +149,7 @@ Record read_last_state(const std::string& folder) {
   Record record = read_header(file);
   record.scene = read_scene_of(folder, file);
   record.box = make_box(record.scene);
-  record.walls = read_walls(file, record.scene, record.facts.time);
+  record.walls = read_walls(file, record.scene);
   record.grains = {read_grains<2>(file), record.box};
   record.contacts = read_contacts<2>(file);
   check_partners(file.path(), record.grains, record.contacts, record.walls.size());

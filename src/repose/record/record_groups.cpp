@@ -111,8 +111,10 @@ const Group<BaseProfile>& base_group() {
       {
           array("id", &BaseProfile::id, "", "grain id"),
           array("x", &BaseProfile::x, "L", "centre"),
-          array("normal", &BaseProfile::normal, "grain weights", "force of the heap, positive downward"),
-          array("shear", &BaseProfile::shear, "grain weights", "force of the heap, positive to the right"),
+          array("normal", &BaseProfile::normal, "grain weights",
+                "force of the heap, positive downward; in M L/T^2 without gravity"),
+          array("shear", &BaseProfile::shear, "grain weights",
+                "force of the heap, positive to the right; in M L/T^2 without gravity"),
       }};
   return group;
 }

@@ -14,6 +14,14 @@ std::vector<FlatWall> standing_walls(const std::vector<RecordedWall>& walls) {
   return standing;
 }
 
+std::vector<WallSpan> spans_of(const std::vector<RecordedWall>& walls, const Grains<2>& grains, const Box<2>& box) {
+  const auto standing = wall_spans(standing_walls(walls), grains, box);
+  std::vector<WallSpan> spans;
+  std::size_t next = 0;
+  for (const auto& wall : walls) spans.push_back(wall.open ? WallSpan{wall.wall.point, 0.0} : standing[next++]);
+  return spans;
+}
+
 std::vector<RecordedWall> recorded_walls(const Scene& scene, const std::vector<WallState>& states, double time) {
   const auto walls = make_walls(scene);
   const auto names = wall_names(scene);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "repose/analysis/flat_wall.hpp"
+#include "repose/analysis/wall_span.hpp"
 #include "repose/boundaries/wall.hpp"
 #include "repose/scene/scene.hpp"
 
@@ -23,6 +24,9 @@ struct RecordedWall {
 
 /// Those that stand, as they bound cells and fields.
 std::vector<FlatWall> standing_walls(const std::vector<RecordedWall>& walls);
+
+/// The span of each wall among those that stand; that of an open one has no length.
+std::vector<WallSpan> spans_of(const std::vector<RecordedWall>& walls, const Grains<2>& grains, const Box<2>& box);
 
 /// The walls of a scene at some time. `states` has an entry for each, or none where all stand still.
 std::vector<RecordedWall> recorded_walls(const Scene& scene, const std::vector<WallState>& states, double time);

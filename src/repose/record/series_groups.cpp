@@ -27,6 +27,21 @@ Column<Record> wall_column(const std::string& name, double& (*entry)(WallRow&), 
   return made;
 }
 
+/// A number of each wall in each row of the series that follows from others and the normal of the wall.
+Column<Record> wall_stress_column(const std::string& name, double (*of)(const WallRow&, const Vec<2>& normal),
+                                  const std::string& meaning) {
+  Column<Record> made{name, "M/T^2", meaning, "W", type_name<double>, {}};
+  made.write = [=](Hdf5File& file, const std::string& path, const Record& record) {
+    const auto walls = record.wall_series.size() / record.series.size();
+    std::vector<double> values;
+    for (std::size_t k = 0; k < record.wall_series.size(); ++k) {
+      values.push_back(of(record.wall_series[k], record.walls[k % walls].wall.normal));
+    }
+    file.table(path, values, walls, "M/T^2", meaning);
+  };
+  return made;
+}
+
 Column<std::vector<SeriesRow>> energy_column(const std::string& name, double Energy::*entry,
                                              const std::string& meaning) {
   return column<SeriesRow>(
@@ -58,11 +73,13 @@ const Group<std::vector<SeriesRow>>& series_group() {
           column("grains", &SeriesRow::grains, "", "moving grains present"),
           column("lost", &SeriesRow::lost, "", "grains that have left"),
           column("contacts", &SeriesRow::contacts, "",
-                 "contacts that push or pull with more than `analysis.force_threshold` grain weights"),
+                 "contacts that push or pull with more than `analysis.force_threshold`"),
           column("kinetic_energy_per_grain", &SeriesRow::kinetic_energy_per_grain, "M L^2/T^2",
                  "translation and rotation"),
-          column("force_residual", &SeriesRow::force_residual, "grain weights",
-                 "mean magnitude of the net force on a moving grain, over its own weight"),
+          column(
+              "force_residual", &SeriesRow::force_residual, "grain weights",
+              "mean magnitude of the net force on a moving grain, over its own weight; without gravity over the mean "
+              "normal force"),
           column("max_overlap", &SeriesRow::max_overlap, "", "deepest overlap over the mean diameter of the pair"),
       }};
   return group;
@@ -79,6 +96,16 @@ const Columns<Record>& wall_series_columns() {
       wall_column(
           "wall_force_y", [](WallRow& row) -> double& { return row.force[1]; }, "M L/T^2",
           "of the grains on each wall, mean since the row before"),
+      wall_stress_column(
+          "wall_pressure", pressure_of,
+          "that force against the normal, over the length; positive into the wall; NaN without a length"),
+      wall_stress_column("wall_shear", shear_of, "that force along the normal turned by +90 degrees, over the length"),
+      wall_column(
+          "wall_length", [](WallRow& row) -> double& { return row.length; }, "L",
+          "of a finite wall; of a plane the part between other planes, and else as far as moving grains reach"),
+      wall_column(
+          "wall_moment", [](WallRow& row) -> double& { return row.moment; }, "M L^2/T^2",
+          "of the contacts at that time about the middle of that length, counter-clockwise"),
   };
   return list;
 }
@@ -120,11 +147,11 @@ const Group<std::vector<SeriesRow>>& solver_group() {
           solver_column("contact_iterations", &SolverAccount::contact_iterations, "",
                         "contacts visited by sweeps, each way counted"),
           solver_column("unconverged", &SolverAccount::unconverged, "", "steps that reached method.most_sweeps"),
-          newer(solver_column("impacts", &SolverAccount::impacts, "", "impacts of contacts with restitution")),
-          newer(solver_column("impacts_reduced", &SolverAccount::reduced, "",
-                              "impacts whose restitution gave way, so that the kinetic energy does not rise")),
-          newer(solver_column("restitution_lost", &SolverAccount::restitution_lost, "",
-                              "sum over impacts of the fraction of restitution that gave way")),
+          solver_column("impacts", &SolverAccount::impacts, "", "impacts of contacts with restitution"),
+          solver_column("impacts_reduced", &SolverAccount::reduced, "",
+                        "impacts whose restitution gave way, so that the kinetic energy does not rise"),
+          solver_column("restitution_lost", &SolverAccount::restitution_lost, "",
+                        "sum over impacts of the fraction of restitution that gave way"),
           solver_column("residual", &SolverAccount::worst_residual, "g dt", "worst residual velocity of a contact"),
           column("creep_rate", &SeriesRow::creep_rate, "L/T", "median speed of the grains that touch something"),
       }};

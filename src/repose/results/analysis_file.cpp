@@ -53,7 +53,7 @@ const Group<std::vector<MeasureRow>>& measure_group() {
 
 void write_analysis(const std::string& path, const Record& record, const Results& results) {
   const Measured run{record, results};
-  Hdf5File file(path);
+  Hdf5File file(path, record.scene.units);
   file.attribute("/", "format", std::string("repose-analysis"));
   file.attribute("/", "format_version", std::int64_t{1});
   file.attribute("/", "repose_version", std::string(version));

@@ -30,6 +30,7 @@ MeasureValue measure_value(double value) {
 }
 MeasureValue measure_value(std::string value) { return value; }
 MeasureValue measure_value(std::vector<double> value) { return value; }
+MeasureValue measure_value(std::vector<std::string> value) { return value; }
 MeasureValue measure_value(const Estimate& value) { return value; }
 
 Measure of_run(Measure measure) {

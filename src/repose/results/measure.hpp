@@ -32,8 +32,8 @@ bool has(const Scene& scene, Needs needs);
 struct Object {};
 
 /// A value of summary.json; std::monostate is null. Numbers that are not finite are null too.
-using MeasureValue =
-    std::variant<std::monostate, Object, double, std::int64_t, std::string, std::vector<double>, Estimate>;
+using MeasureValue = std::variant<std::monostate, Object, double, std::int64_t, std::string, std::vector<double>,
+                                  std::vector<std::string>, Estimate>;
 
 /// A key of summary.json. Numbers of the grains are also columns of sweeps and rows of `measures` in analysis.h5.
 struct Measure {
@@ -53,6 +53,7 @@ MeasureValue measure_value(Object);
 MeasureValue measure_value(double value);
 MeasureValue measure_value(std::string value);
 MeasureValue measure_value(std::vector<double> value);
+MeasureValue measure_value(std::vector<std::string> value);
 MeasureValue measure_value(const Estimate& value);
 template <class T>
 requires std::is_integral_v<T> MeasureValue measure_value(T value) { return static_cast<std::int64_t>(value); }
@@ -84,8 +85,8 @@ struct MeasureKind<std::string> {
 template <class T>
 struct MeasureKind<std::optional<T>> : MeasureKind<T> {};
 
-/// `entry` gives a number, an Estimate, a text, a list of numbers or an Object from Measured, or a std::optional of
-/// one.
+/// `entry` gives a number, an Estimate, a text, a list of numbers or texts, or an Object from Measured, or a
+/// std::optional of one.
 template <class Entry>
 Measure measure(std::string name, std::string unit, std::string meaning, Entry entry, Needs needs = Needs::nothing) {
   using Value = std::remove_cvref_t<std::invoke_result_t<const Entry&, const Measured&>>;

@@ -4,6 +4,7 @@
 
 #include "repose/analysis/base_lines.hpp"
 #include "repose/analysis/sticking_rule.hpp"
+#include "repose/record/force_unit.hpp"
 #include "repose/results/measure.hpp"
 
 #include <algorithm>
@@ -28,11 +29,11 @@ FieldSettings field_settings(const Record& record, double threshold) {
   return settings;
 }
 
-MotionSettings motion_settings(const Scene& scene, double base_height) {
+MotionSettings motion_settings(const Scene& scene, double base_height, double burst) {
   MotionSettings settings;
   settings.moved = scene.analysis.moved;
   settings.least = static_cast<std::size_t>(scene.analysis.avalanche);
-  settings.burst = scene.analysis.burst * scene.grain_weight() * scene.grains.diameter;
+  settings.burst = burst;
   settings.base_height = base_height;
   settings.bin_width = scene.analysis.bin_width;
   return settings;
@@ -163,12 +164,14 @@ Results analyse(const Record& record) {
   const auto& grains = *record.grains;
   const auto& contacts = record.contacts;
   const auto& box = record.box;
-  const double threshold = scene.analysis.force_threshold * scene.grain_weight();
   Results results;
+  results.force_unit = force_unit(scene, contacts);
+  const double threshold = scene.analysis.force_threshold * results.force_unit;
   const auto in_heap = supported(grains, contacts);
   results.heap = measure_heap(grains, in_heap, results.base_height, scene.analysis.bin_width);
   results.network = measure_force_network(grains, contacts, in_heap, threshold);
   results.max_overlap = max_overlap(contacts);
+  results.walls = mean_wall_forces(record);
   results.dip = base_dip(record.base);
   if (results.dip) results.base_scatter = base_scatter(record.base, results.dip->centre, results.dip->half_width);
   results.base = binned(record.base, scene.analysis.base_bin);
@@ -191,7 +194,8 @@ Results analyse(const Record& record) {
     for (const double density : results.fields.density) sum += density;
     results.field_weight_error = sum * results.fields.cell * results.fields.cell / mass - 1.0;
   }
-  results.motion = measure_motion(record.track, box, motion_settings(scene, results.base_height));
+  results.motion = measure_motion(
+      record.track, box, motion_settings(scene, results.base_height, burst_threshold(scene, results.force_unit)));
   if (*scene.analysis.packing) measure_packing(record, results);
   return results;
 }

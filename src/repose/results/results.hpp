@@ -15,6 +15,7 @@
 #include "repose/analysis/voronoi.hpp"
 #include "repose/record/record.hpp"
 #include "repose/results/force_range.hpp"
+#include "repose/results/wall_forces.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -31,6 +32,8 @@ struct Results {
   std::optional<double> base_scatter;
   BinnedProfile base;
   double max_overlap = 0.0;            ///< over the mean diameter of the pair
+  double force_unit = 0.0;             ///< [M L/T^2] by analysis.force_scale
+  WallForces walls;                    ///< mean over output.window
   double base_height = 0.0;            ///< [L]
   std::optional<double> weight_error;  ///< vertical force on the supports over the weight they carry, less 1
   std::vector<VoronoiCell> cells;

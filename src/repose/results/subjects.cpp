@@ -12,6 +12,7 @@ void add_forces(Registry& to);
 void add_motion(Registry& to);
 void add_base(Registry& to);
 void add_force_range(Registry& to);
+void add_walls(Registry& to);
 void add_fields(Registry& to);
 void add_grain_stress(Registry& to);
 void add_packing(Registry& to);
@@ -29,6 +30,7 @@ std::vector<Subject> subjects() {
       add_motion,             //
       add_base,               //
       add_force_range,        //
+      add_walls,              //
       add_fields,             //
       add_grain_stress,       //
       add_packing,            //

@@ -25,6 +25,7 @@ Json json_of(const std::vector<double>& values) {
   for (const double value : values) list.push_back(json_of(value));
   return list;
 }
+Json json_of(const std::vector<std::string>& values) { return values; }
 Json json_of(const Estimate& value) { return {{"mean", json_of(value.mean)}, {"error", json_of(value.error)}}; }
 
 /// The place of a dotted name; objects on the way to it are made.

@@ -66,7 +66,8 @@ Moment read_frame(const std::string& path, const Record& last) {
   return moment;
 }
 
-using Use = std::function<void(const Moment&, std::size_t number)>;
+/// `walls` are those that stand at the time of the moment, by number.
+using Use = std::function<void(const Moment&, const std::vector<RecordedWall>& walls, std::size_t number)>;
 
 /// Goes through the saved frames, in order, and the last state, one at a time; returns how many these are.
 std::size_t for_every_moment(const ExportOrder& order, const Record& last, const Use& use) {
@@ -75,9 +76,10 @@ std::size_t for_every_moment(const ExportOrder& order, const Record& last, const
     auto moment = read_frame(path, last);
     if (moment.step >= last.facts.steps) break;  // the last state itself
     const auto walls = walls_at(last, moment.time);
-    use(with_stress(std::move(moment), last, walls), number++);
+    use(with_stress(std::move(moment), last, walls), walls, number++);
   }
-  use(with_stress({last.facts.time, last.facts.steps, last.grains, last.contacts}, last, last.walls), number);
+  use(with_stress({last.facts.time, last.facts.steps, last.grains, last.contacts}, last, last.walls), last.walls,
+      number);
   return number + 1;
 }
 
@@ -88,26 +90,67 @@ Record read_states(const ExportOrder& order) {
   return last;
 }
 
+/// The walls that stand, as lines.
+std::vector<WallLine> lines_of(const std::vector<RecordedWall>& walls, const Moment& moment) {
+  std::vector<WallLine> lines;
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    if (!walls[w].open) lines.push_back(line_of(walls[w].wall, static_cast<std::int64_t>(w), moment));
+  }
+  return lines;
+}
+
+/// The fields of the last state as image data, where the run was analysed and has any.
+void export_fields(const ExportOrder& order, const std::string& folder, Exported& done) {
+  const auto path = order.folder + "/analysis.h5";
+  if (!path_exists(path)) return;
+  const Hdf5Reader file(path);
+  for (const auto& table : csv_tables(file)) {
+    if (!table.grid || table.group != "fields") continue;
+    const auto x = file.dataset<double>("fields/x");
+    const auto y = file.dataset<double>("fields/y");
+    const double cell = file.number("fields", "cell");
+    VtkGrid grid{x.size(), y.size(), x.front() - 0.5 * cell, y.front() - 0.5 * cell, cell, {}};
+    for (const auto& name : table.datasets) {
+      grid.cell_data.push_back({name, 1, file.table<double>("fields/" + name, x.size())});
+    }
+    done.files.emplace_back("fields.vti");
+    write_vti(folder + "/fields.vti", grid);
+  }
+}
+
 void export_vtk(const ExportOrder& order, const std::string& folder, Exported& done) {
   const auto last = read_states(order);
   std::vector<std::pair<double, std::string>> grains;
   std::vector<std::pair<double, std::string>> contacts;
-  done.moments = for_every_moment(order, last, [&](const Moment& moment, std::size_t number) {
-    grains.emplace_back(moment.time, fmt::format("grains_{}.vtp", numbered(number)));
-    contacts.emplace_back(moment.time, fmt::format("contacts_{}.vtp", numbered(number)));
-    write_vtp(folder + "/" + grains.back().second, grains_for_vtk(moment));
-    write_vtp(folder + "/" + contacts.back().second, contacts_for_vtk(moment, last.box));
-  });
-  write_pvd(folder + "/grains.pvd", grains);
-  write_pvd(folder + "/contacts.pvd", contacts);
-  done.files = {"grains.pvd", "contacts.pvd"};
+  std::vector<std::pair<double, std::string>> walls;
+  const auto add = [&](auto& series, const char* name, const Moment& moment, std::size_t number,
+                       const VtkPolyData& data) {
+    series.emplace_back(moment.time, fmt::format("{}_{}.vtp", name, numbered(number)));
+    write_vtp(folder + "/" + series.back().second, data);
+  };
+  const bool forces = last.scene.method->traits().has_forces();
+  done.moments = for_every_moment(
+      order, last, [&](const Moment& moment, const std::vector<RecordedWall>& standing, std::size_t number) {
+        add(grains, "grains", moment, number, grains_for_vtk(moment));
+        add(contacts, "contacts", moment, number, contacts_for_vtk(moment, last.box, forces));
+        if (!standing.empty()) add(walls, "walls", moment, number, walls_for_vtk(lines_of(standing, moment)));
+      });
+  const auto finish = [&](const auto& series, const char* name) {
+    if (series.empty()) return;
+    done.files.push_back(std::string(name) + ".pvd");
+    write_pvd(folder + "/" + done.files.back(), series);
+  };
+  finish(grains, "grains");
+  finish(contacts, "contacts");
+  finish(walls, "walls");
+  export_fields(order, folder, done);
 }
 
 void export_ovito(const ExportOrder& order, const std::string& folder, Exported& done) {
   const auto last = read_states(order);
   WholeFile grains(folder + "/grains.dump");
   WholeFile contacts(folder + "/contacts.dump");
-  done.moments = for_every_moment(order, last, [&](const Moment& moment, std::size_t) {
+  done.moments = for_every_moment(order, last, [&](const Moment& moment, const auto&, std::size_t) {
     add_grains_for_lammps(grains, moment, last.box);
     add_contacts_for_lammps(contacts, moment, last.box);
   });
@@ -138,6 +181,15 @@ void export_csv(const ExportOrder& order, const std::string& folder, Exported& d
     }
   }
   done.moments = 1;
+  for (const auto& path : frame_files(order)) {
+    const Hdf5Reader file(path);
+    const auto number = fs::path(path).stem().string();
+    for (const auto& table : csv_tables(file)) {
+      done.files.push_back(fmt::format("frame_{}_{}.csv", number, table.name));
+      write_csv(folder + "/" + done.files.back(), file, table);
+    }
+    ++done.moments;
+  }
 }
 
 void export_contact_problem(const ExportOrder& order, const std::string& folder, Exported& done) {
@@ -147,7 +199,9 @@ void export_contact_problem(const ExportOrder& order, const std::string& folder,
 }
 
 bool belongs_to_series(const std::string& name) {
-  return (name.starts_with("grains_") || name.starts_with("contacts_")) && name.ends_with(".vtp");
+  const auto begins = [&](const char* with) { return name.starts_with(with); };
+  return ((begins("grains_") || begins("contacts_") || begins("walls_")) && name.ends_with(".vtp")) ||
+         (begins("frame_") && name.ends_with(".csv"));
 }
 
 /// Moves the finished files to their place. Parts of an older series would be shown by nobody, but would stay.

@@ -188,13 +188,13 @@ void RunFolder::write_frame(const Record& record) {
   std::error_code error;
   fs::create_directories(path_ + "/frames", error);
   const auto name = numbered(frames_.size());
-  Hdf5File file(fmt::format("{}/frames/{}.h5", path_, name));
+  Hdf5File file(fmt::format("{}/frames/{}.h5", path_, name), record.scene.units);
   file.attribute("/", "time", record.facts.time);
   file.attribute("/", "steps", record.facts.steps);
   file.attribute("/", "state_hash", record.facts.state_hash);
   file.attribute("/", "scene_hash", record.facts.scene_hash);
   write_grains(file, record.grains);
-  write_contacts(file, record.contacts);
+  write_contacts(file, record.contacts, record.grains, record.scene.method->traits().has_forces());
   file.commit();
   frames_.push_back(name);
 }

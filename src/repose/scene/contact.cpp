@@ -221,10 +221,18 @@ void check_force_laws(const std::string& prefix, const MaterialContact& contact,
   }
 }
 
+void check_adhesion(const std::string& prefix, const MaterialContact& contact, Problems& problems) {
+  if (!std::holds_alternative<Jkr>(contact.cohesion) || is_hertz(contact.normal)) return;
+  if (!problems.sound(prefix + "cohesion.law") || !problems.sound(prefix + "normal.law")) return;
+  problems.problem(prefix + "cohesion.law", fmt::format(" = \"jkr\": needs {}normal.law = \"hertz\"", prefix));
+}
+
 void check_between(const std::string& prefix, const MaterialContact& contact, const Scene& scene, Problems& problems) {
   const auto traits = scene.method->traits();
   if (traits.impulse_laws) check_impulse(prefix, contact.impulse, scene, problems);
-  if (traits.force_laws) check_force_laws(prefix, contact, scene, problems);
+  if (!traits.force_laws) return;
+  check_force_laws(prefix, contact, scene, problems);
+  check_adhesion(prefix, contact, problems);
 }
 
 /// A ratio of stiffnesses that agrees with the materials.
@@ -311,6 +319,31 @@ LawScales scales_of(const Scene& scene, const MaterialPair& pair) {
   return scales_of(scene, pair.contact.friction, scene.material_number(pair.first), scene.material_number(pair.second));
 }
 
+/// Adhesion is a matter of small contact areas: a bond across a gap that is large against a grain is refused.
+void check_bonds(const Scene& scene, Problems& problems) {
+  if (!scene.method->traits().force_laws || !problems.none()) return;
+  constexpr double longest = 0.2;  // smallest diameters
+  const auto laws = scene.material_laws();
+  const auto judge = [&](const std::string& prefix, std::size_t a, std::size_t b) {
+    const auto* adhesion = std::get_if<Jkr>(&laws.table[a * laws.materials + b].cohesion);
+    const auto key = prefix + "cohesion.surface_energy";
+    if (adhesion == nullptr || !problems.sound(key)) return;
+    const double gap = reach_of_bonds(*adhesion, scene.smallest_diameter()) - 1.0;
+    if (!(gap > longest)) return;
+    problems.problem(
+        key, fmt::format(" = {}: a bond to a wall would bridge a gap of {:.3g} diameters of the smallest grain; at "
+                         "most {}: grains are too soft for it",
+                         adhesion->surface_energy, gap, longest));
+  };
+  for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
+    const auto& pair = scene.pairs[k];
+    judge(fmt::format("pair[{}].", k), scene.material_number(pair.first), scene.material_number(pair.second));
+  }
+  for (std::size_t a = 0; a < laws.materials && problems.none(); ++a) {
+    for (std::size_t b = a; b < laws.materials; ++b) judge("contact.", a, b);
+  }
+}
+
 }  // namespace
 
 void contact_keys(Scene& scene, Parameters& keys) {
@@ -348,6 +381,7 @@ void check_contact(const Scene& scene, Problems& problems) {
       problems.problem(prefix + "second", fmt::format(" = \"{}\": this pair is given twice", pair.second));
     }
   }
+  check_bonds(scene, problems);
 }
 
 std::string describe_force_laws(const Scene& scene) { return of_all_pairs(scene, force_laws_text); }

@@ -16,7 +16,7 @@ void stop_keys(StopKeys& stop, Parameters& keys) {
   keys.optional_number("stop.at_rest", stop.at_rest, {"", "none"}, positive, "",
                        "ends the run after the last grain, load and wall have come, opened or begun to move, once "
                        "kinetic energy (in m g d) and net force (in m g) of every grain have been below this for "
-                       "output.window");
+                       "output.window; without gravity the mean normal force of the contacts replaces m g");
   keys.optional_number("stop.time", stop.time, {"", "none"}, positive, "T", "ends the run at this time");
 }
 
@@ -28,12 +28,14 @@ void file_keys(Scene& scene, Parameters& keys) {
   const double fall = scene.gravity > 0.0 ? std::sqrt(scene.grains.diameter / scene.gravity) : 1.0;
   // Where time counts discs, one row at the end tells all.
   const auto all = static_cast<double>(scene.source->released());
-  keys.number("output.series", output.series, in_time ? Default{fall, "sqrt(d/g)"} : Default{all, "all"},
+  keys.number("output.series", output.series,
+              in_time ? Default{fall, "sqrt(d/g); 1 without gravity"} : Default{all, "all"},
               in_time ? positive : at_least_one, unit, "interval between rows of the time series");
-  keys.number("output.frames", output.frames, in_time ? Default{100.0 * fall, "100 sqrt(d/g)"} : Default{0.0},
-              not_negative, unit, "interval between saved frames; 0: none");
+  keys.number("output.frames", output.frames,
+              in_time ? Default{100.0 * fall, "100 sqrt(d/g); 100 without gravity"} : Default{0.0}, not_negative, unit,
+              "interval between saved frames; 0: none");
   if (in_time) {
-    keys.number("output.window", output.window, {10.0 * fall, "10 sqrt(d/g)"}, positive, unit,
+    keys.number("output.window", output.window, {10.0 * fall, "10 sqrt(d/g); 10 without gravity"}, positive, unit,
                 "interval at the end over which base forces are averaged");
     keys.number("output.track", output.track, not_negative, unit,
                 "interval between moments at which the place of every grain is kept, for avalanches; 0: none");
@@ -53,7 +55,16 @@ void force_keys(Scene& scene, Parameters& keys) {
   const double d = scene.grains.diameter;
   keys.number("analysis.bin_width", analysis.bin_width, {2.0 * d, "2 d"}, positive, "L",
               "bin width of the surface profile");
-  keys.number("analysis.force_threshold", analysis.force_threshold, not_negative, "grain weights",
+  keys.choice("analysis.force_scale", analysis.force_scale,
+              {scene.gravity > 0.0 ? "weight" : "mean", "\"weight\"; \"mean\" without gravity"},
+              {{"weight", "of a nominal grain"},
+               {"mean", "mean normal force of the contacts that carry one"},
+               {"given", "`analysis.force`"}},
+              "force unit of `analysis.force_threshold` and `analysis.burst`");
+  if (analysis.force_scale == "given") {
+    keys.number("analysis.force", analysis.force, required, positive, "M L/T^2", "the force unit");
+  }
+  keys.number("analysis.force_threshold", analysis.force_threshold, not_negative, "force units",
               "contacts with a smaller force do not count");
   keys.number("analysis.base_bin", analysis.base_bin, {5.0 * d, "5 d"}, positive, "L", "bin width of the base profile");
   keys.number("analysis.field_width", analysis.field_width, {1.5 * d, "1.5 d"}, positive, "L",
@@ -63,7 +74,7 @@ void force_keys(Scene& scene, Parameters& keys) {
   keys.number("analysis.moved", analysis.moved, {0.5 * d, "0.5 d"}, positive, "L",
               "a grain that is displaced farther between two moments of the track has moved");
   keys.integer("analysis.avalanche", analysis.avalanche, {.low = 1}, "grains that move at once in an avalanche");
-  keys.number("analysis.burst", analysis.burst, positive, "grain weights times diameters",
+  keys.number("analysis.burst", analysis.burst, positive, "force units times diameters",
               "kinetic energy of the heap above which a burst is counted");
 }
 
@@ -104,11 +115,13 @@ void check_stop(const Scene& scene, Problems& problems) {
   if (!stop.time && !stop.at_rest && problems.sound("stop.time") && problems.sound("stop.at_rest")) {
     problems.problem("stop", ": missing: give time, at_rest or both; the run ends at whichever comes first");
   }
-  if (stop.at_rest && scene.gravity == 0.0 && problems.sound("stop.at_rest") && problems.sound("gravity")) {
-    problems.problem(
-        "stop.at_rest",
-        fmt::format(" = {}: is measured in grain weights and needs gravity > 0; use stop.time", *stop.at_rest));
-  }
+}
+
+void check_force_scale(const Scene& scene, Problems& problems) {
+  if (scene.analysis.force_scale != "weight" || scene.gravity > 0.0) return;
+  if (!problems.sound("analysis.force_scale") || !problems.sound("gravity")) return;
+  problems.problem("analysis.force_scale",
+                   " = \"weight\": needs gravity > 0; must be \"mean\", or \"given\" with analysis.force");
 }
 
 void check_analysis(const Scene& scene, Problems& problems) {

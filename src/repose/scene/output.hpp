@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace repose {
 
@@ -30,13 +31,15 @@ struct OutputKeys {
 
 struct AnalysisKeys {
   double bin_width = unset;      ///< [L]
-  double force_threshold = 0.2;  ///< [grain weights]
+  std::string force_scale;       ///< "weight", "mean" or "given": the unit of the two thresholds below
+  double force = unset;          ///< [M L/T^2] the given one
+  double force_threshold = 0.2;  ///< [that unit]
   double base_bin = unset;       ///< [L]
   double field_width = unset;    ///< [L]
   double core_depth = unset;     ///< [L]
   double moved = unset;          ///< [L]
   std::int64_t avalanche = 10;   ///< grains
-  double burst = 5.0;            ///< [grain weights times diameters]
+  double burst = 5.0;            ///< [that unit times diameters]
 
   std::optional<bool> packing;               ///< measure the packing in a slab; none: as the scene suggests
   std::array<double, 2> slab{unset, unset};  ///< its edges above the base centres, over the mean height of the grains
@@ -50,6 +53,7 @@ struct AnalysisKeys {
 /// stop.*, output.* and analysis.*.
 void output_keys(Scene& scene, Parameters& keys);
 void check_stop(const Scene& scene, Problems& problems);
+void check_force_scale(const Scene& scene, Problems& problems);
 /// Checks the slab, and that lengths of the analysis are such that a heap has a sensible number of bins and cells.
 void check_analysis(const Scene& scene, Problems& problems);
 void check_slab(const Scene& scene, Problems& problems);

@@ -78,7 +78,10 @@ void check_all(const Scene& scene, Problems& problems) {
   }
   check_species(scene, problems);
   check_analysis(scene, problems);
-  if (scene.method->traits().has_forces()) check_contact(scene, problems);
+  if (scene.method->traits().has_forces()) {
+    check_force_scale(scene, problems);
+    check_contact(scene, problems);
+  }
   check_boundaries(scene, problems);
   check_sources(scene, problems);
   if (scene.method->traits().follows_time) check_stop(scene, problems);

@@ -29,6 +29,14 @@ void set_moduli(ContactLaws& laws, const Elasticity& a, const Elasticity& b) {
   if (auto* tangential = std::get_if<Mindlin>(&laws.tangential)) tangential->ratio = stiffness_ratio(a, b);
 }
 
+/// Adhesion has the modulus of Hertz's law.
+void set_adhesion(ContactLaws& laws) {
+  auto* adhesion = std::get_if<Jkr>(&laws.cohesion);
+  if (adhesion == nullptr) return;
+  if (const auto* elastic = std::get_if<ElasticHertz>(&laws.normal)) adhesion->modulus = elastic->modulus;
+  if (const auto* plain = std::get_if<Hertz>(&laws.normal)) adhesion->stiffness = plain->stiffness;
+}
+
 }  // namespace
 
 double Scene::smallest_drawn() const {
@@ -82,6 +90,7 @@ MaterialLaws Scene::material_laws() const {
   for (std::size_t a = 0; a < count && has_moduli(); ++a) {
     for (std::size_t b = 0; b < count; ++b) set_moduli(table[a * count + b], elasticity(a), elasticity(b));
   }
+  for (auto& laws : table) set_adhesion(laws);
   return {count, std::move(table)};
 }
 

@@ -74,6 +74,8 @@ struct Scene {
   double nominal_mass() const;                                         ///< [M] of a grain of the first material and d
   double mass_of(double diameter, const std::string& material) const;  ///< [M] goes with the square of the diameter
   double grain_weight() const { return nominal_mass() * gravity; }
+  /// [M L/T^2] Base forces are given in it: the grain weight, or 1 without gravity.
+  double base_force_unit() const { return gravity > 0.0 ? grain_weight() : 1.0; }
   MaterialLaws material_laws() const;  ///< the laws of every two materials
   ImpulseLaws impulse_laws() const;
 

@@ -4,12 +4,15 @@
 
 #include "repose/core/errors.hpp"
 #include "repose/io/start_file.hpp"
+#include "repose/scene/geometry.hpp"
 #include "repose/scene/toml_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 
 namespace fs = std::filesystem;
@@ -51,6 +54,36 @@ void take_facts(const StartState& state, Scene& scene) {
   }
 }
 
+/// Grains that move must not lie in walls, as placed ones must not, nor behind planes.
+void check_room(const StartState& state, const Scene& scene, Reader& reader) {
+  if (!reader.none()) return;
+  constexpr double allowed = 0.1;  // diameters by which walls may press into a grain
+  constexpr std::size_t most = 10;
+  const auto walls = make_walls(scene);
+  const auto names = wall_names(scene);
+  const auto now = walls_at(walls, {}, 0.0);
+  const auto box = make_box(scene);
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < state.grains.size(); ++k) {
+    const auto& row = state.grains[k];
+    if (row.fixed) continue;
+    const auto wall = overlapping_wall(walls, now, box, row.position, row.radius * (1.0 - 2.0 * allowed), 1.0);
+    if (!wall || ++count > most) continue;
+    const auto at = above(walls[*wall], now[*wall].normal, from_wall(walls[*wall], now[*wall], row.position, box));
+    const auto where = at.height < 0.0
+                           ? fmt::format("its centre lies {:.3g} behind wall \"{}\"", -at.height, names[*wall])
+                           : fmt::format("wall \"{}\" presses into it by {:.3g} diameters", names[*wall],
+                                         wall_overlap(walls[*wall], at, row.radius) / (2.0 * row.radius));
+    reader.problem("start.from",
+                   fmt::format(" = \"{}\": grain {} at ({:.6g}, {:.6g}): {}", scene.start.from,
+                               row.id.value_or(static_cast<std::int64_t>(k)), row.position[0], row.position[1], where));
+  }
+  if (count > most) {
+    reader.problem("start.from",
+                   fmt::format(" = \"{}\": and {} more grains in or behind walls", scene.start.from, count - most));
+  }
+}
+
 void check_grains(const StartState& state, const Scene& scene, Reader& reader) {
   const auto materials = scene.material_names().size();
   std::size_t outside = 0;
@@ -88,6 +121,7 @@ void look_at_start(Scene& scene, Reader& reader, const std::string& folder) {
     const auto state = read_start(start.path, start.step);
     take_facts(state, scene);
     check_grains(state, scene, reader);
+    check_room(state, scene, reader);
     start.histories = !state.scene.empty() && memory_of(state.scene, start.path) == memory_of(scene);
   } catch (const InputError& error) {
     for (const auto& line : error.problems()) {

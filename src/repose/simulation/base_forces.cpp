@@ -31,12 +31,12 @@ void BaseForces::record(Grains<2>& grains, double time) {
   while (intervals_.size() > 1 && intervals_[1].start <= time - window_ + tolerance_) intervals_.pop_front();
 }
 
-BaseProfile BaseForces::profile(const Grains<2>& grains, double grain_weight) const {
+BaseProfile BaseForces::profile(const Grains<2>& grains, double unit) const {
   BaseProfile profile;
   if (intervals_.empty()) return profile;
   profile.window_start = intervals_.front().start;
   profile.window_end = intervals_.back().end;
-  const double scale = 1.0 / ((profile.window_end - profile.window_start) * grain_weight);
+  const double scale = 1.0 / ((profile.window_end - profile.window_start) * unit);
   for (const auto k : by_id(grains)) {
     if (!grains.base[k]) continue;
     const auto place = place_of(grains.id[k]);

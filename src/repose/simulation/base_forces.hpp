@@ -22,8 +22,8 @@ class BaseForces {
   /// Takes the reactions that the fixed grains have gathered since the last call.
   void record(Grains<2>& grains, double time);
 
-  /// The forces on the base, in grain weights.
-  BaseProfile profile(const Grains<2>& grains, double grain_weight) const;
+  /// The forces on the base, in a unit [M L/T^2].
+  BaseProfile profile(const Grains<2>& grains, double unit) const;
 
   /// Downward force [M L/T^2] on fixed grains, mean over the window, and on walls by these contacts.
   double force_on_supports(const Contacts<2>& contacts) const;

@@ -13,8 +13,13 @@ namespace repose {
 
 namespace {
 
-/// The interval between two checks, over sqrt(d/g).
-constexpr double interval = 0.5;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// The interval [T] between two checks.
+double interval_of(const Scene& scene) {
+  if (scene.gravity > 0.0) return 0.5 * std::sqrt(scene.grains.diameter / scene.gravity);
+  return 0.05 * scene.output.window;
+}
 
 /// The solver of rigid grains leaves net forces of this many times its tolerance.
 constexpr double forces_of_tolerance = 10.0;
@@ -34,6 +39,7 @@ Unrest largest_unrest(const Grains<2>& grains, const Contacts<2>& contacts, cons
     const auto found = std::find(grains.id.begin(), grains.id.end(), load.grain);
     if (found != grains.id.end()) net[static_cast<std::size_t>(found - grains.id.begin())] += load.force;
   }
+  const double mean = gravity > 0.0 ? 0.0 : mean_normal_force(contacts);
   Unrest largest;
   const auto take = [](double& so_far, double value) {
     so_far = std::isnan(value) ? std::numeric_limits<double>::infinity() : std::max(so_far, value);
@@ -42,15 +48,16 @@ Unrest largest_unrest(const Grains<2>& grains, const Contacts<2>& contacts, cons
     const auto& grain = grains.line[k];
     if (grain.fixed()) continue;
     const double speed2 = squared(grain.velocity) + squared(grain.rim_velocity) / inverse_inertia_factor<2>;
-    take(largest.kinetic_energy, 0.5 * speed2 / (gravity * diameter));
-    take(largest.net_force, magnitude(net[k]) / (grain.mass * gravity));
+    const double weight = gravity > 0.0 ? grain.mass * gravity : mean;
+    take(largest.kinetic_energy, weight > 0.0 ? 0.5 * grain.mass * speed2 / (weight * diameter) : infinite);
+    take(largest.net_force, weight > 0.0 ? magnitude(net[k]) / weight : infinite);
   }
   return largest;
 }
 
 Rest::Rest(const Scene& scene, const TimeSteps& steps) : times_(0.0, steps) {
-  if (!scene.stop.at_rest || !(scene.gravity > 0.0)) return;
-  times_ = Every(interval * std::sqrt(scene.grains.diameter / scene.gravity), steps);
+  if (!scene.stop.at_rest) return;
+  times_ = Every(interval_of(scene), steps);
   limit_ = *scene.stop.at_rest;
   force_limit_ = limit_of_forces(scene);
   window_ = scene.output.window;

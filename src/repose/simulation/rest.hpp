@@ -15,17 +15,18 @@ namespace repose {
 
 /// The largest motion and the largest net force of any moving grain.
 struct Unrest {
-  double kinetic_energy = 0.0;  ///< over mass times gravity times nominal diameter of the same grain
+  double kinetic_energy = 0.0;  ///< over weight of the same grain times nominal diameter
   double net_force = 0.0;       ///< over the weight of the same grain
 };
 
-/// `loads` act on grains besides gravity and contacts; walls and bases carry theirs by the contacts.
+/// `loads` act on grains besides gravity and contacts; walls and bases carry theirs by the contacts. Without gravity
+/// the mean normal force of the contacts takes the place of the weight; without such a force the unrest is infinite.
 Unrest largest_unrest(const Grains<2>& grains, const Contacts<2>& contacts, const std::vector<Load<2>>& loads,
                       double gravity, double diameter);
 
 /// The rule of `stop.at_rest`: every grain has been below the limit for as long as base forces are averaged. It checks
-/// at times of its own, every half of sqrt(d/g), and not at the rows of the series. While a wall has yet to open or to
-/// begin its motion, there is no rest.
+/// at times of its own, every half of sqrt(d/g) (without gravity, every twentieth of output.window), and not at the
+/// rows of the series. While a wall has yet to open or to begin its motion, there is no rest.
 class Rest {
  public:
   Rest(const Scene& scene, const TimeSteps& steps);

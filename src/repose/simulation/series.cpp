@@ -4,6 +4,10 @@
 
 #include "repose/analysis/force_network.hpp"
 #include "repose/analysis/heap.hpp"
+#include "repose/analysis/wall_span.hpp"
+#include "repose/record/force_unit.hpp"
+#include "repose/record/recorded_wall.hpp"
+#include "repose/scene/geometry.hpp"
 #include "repose/simulation/simulation.hpp"
 
 #include <algorithm>
@@ -36,14 +40,14 @@ void Series::add_row(const Simulation& simulation, Method<2>& method) {
   SeriesRow row;
   row.time = simulation.time();
   row.grains = static_cast<std::int64_t>(simulation.moving());
-  const double threshold = scene.analysis.force_threshold * scene.grain_weight();
+  const double threshold = scene.analysis.force_threshold * force_unit(scene, contacts);
   row.contacts = std::count_if(contacts.list.begin(), contacts.list.end(),
                                [&](const auto& contact) { return std::fabs(contact.normal_force) > threshold; });
   row.kinetic_energy_per_grain = row.grains > 0 ? kinetic_energy(grains) / static_cast<double>(row.grains) : 0.0;
   row.force_residual = force_residual(grains, contacts, Vec<2>{{0.0, -scene.gravity}});
   row.max_overlap = max_overlap(contacts);
   row.lost = simulation.lost();
-  add_walls(row.time, method);
+  add_walls(simulation, contacts, method);
   if (scene.output.energy) row.energy = method.energy(grains);
   if (scene.method->solver() != nullptr) {
     row.solver = method.take_solver_account();
@@ -52,11 +56,18 @@ void Series::add_row(const Simulation& simulation, Method<2>& method) {
   rows_.push_back(row);
 }
 
-void Series::add_walls(double time, Method<2>& method) {
+void Series::add_walls(const Simulation& simulation, const Contacts<2>& contacts, Method<2>& method) {
   const auto impulses = method.take_wall_impulses();
+  if (impulses.empty()) return;
+  const double time = simulation.time();
   const double duration = time - (rows_.empty() ? 0.0 : rows_.back().time);
+  const auto box = make_box(simulation.scene());
+  const auto& grains = simulation.grains();
+  const auto spans = spans_of(recorded_walls(simulation.scene(), method.walls(), time), grains, box);
+  const auto moments = wall_moments(spans, grains, contacts, box);
   for (std::size_t w = 0; w < impulses.size(); ++w) {
-    walls_.push_back({method.walls()[w].displacement, impulses[w] * (1.0 / duration)});
+    const double displacement = method.walls()[w].displacement;
+    walls_.push_back({displacement, impulses[w] * (1.0 / duration), spans[w].length, moments[w]});
   }
 }
 

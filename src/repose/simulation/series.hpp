@@ -24,7 +24,7 @@ class Series {
   void exchange(Archive& archive, std::size_t walls);
 
  private:
-  void add_walls(double time, Method<2>& method);
+  void add_walls(const Simulation& simulation, const Contacts<2>& contacts, Method<2>& method);
 
   std::vector<SeriesRow> rows_;
   std::vector<WallRow> walls_;  // per row and wall

@@ -303,7 +303,7 @@ Record Simulation::record() const {
   facts.scene_hash = hash_of(scene_text(scene_));
   record.series = series_.rows();
   record.wall_series = series_.walls();
-  record.base = base_forces_.profile(grains_, scene_.grain_weight());
+  record.base = base_forces_.profile(grains_, scene_.base_force_unit());
   record.track = track_.track();
   return record;
 }

@@ -70,7 +70,7 @@ void write_members(Hdf5File& file, const SweepTable& table) {
 }  // namespace
 
 void write_sweep_file(const std::string& path, const SweepPlan& plan, const SweepTable& table) {
-  Hdf5File file(path);
+  Hdf5File file(path, plan.points.front().scene.units);
   file.attribute("/", "format", std::string("repose-sweep"));
   file.attribute("/", "format_version", std::int64_t{1});
   file.attribute("/", "repose_version", std::string(version));

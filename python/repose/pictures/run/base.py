@@ -37,7 +37,7 @@ def draw(run, state):
         else:
             mean = running_mean(force, SMOOTHING)
             axes.plot(x, mean, color=colour, linewidth=1.4, label=f"mean of {SMOOTHING} grains")
-        axes.set_ylabel(f"{name} force\n(grain weights)")
+        axes.set_ylabel(units.force(f"{name} force"))
     lower.set_xlabel(units.length("x"))
     margin = 4.0 * run.attributes["grain_diameter"]
     lower.set_xlim(x[loaded[0]] - margin, x[loaded[-1]] + margin)

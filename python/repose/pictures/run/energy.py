@@ -34,7 +34,7 @@ def draw(run, state):
     grains.spines["right"].set_visible(True)
     if panels == 2:
         rows[1].semilogy(series["time"], residual, color=style.ORANGE, linewidth=0.6)
-        rows[1].set_ylabel("force residual\n(grain weights)", color=style.ORANGE)
+        rows[1].set_ylabel("force residual\n(mean contact forces)" if units.weightless else "force residual\n(grain weights)", color=style.ORANGE)
     for axes in rows:
         axes.yaxis.set_major_locator(LogLocator(numticks=6))
         axes.yaxis.set_minor_locator(NullLocator())

@@ -33,13 +33,13 @@ def draw(run, state):
     axes.set_ylabel("probability density P(f)")
     axes.legend(loc="upper right")
     style.fit(figure, (0.0, 0.0, 1.0, 0.94))
-    style.caption(figure, _mean_and_fractions(forces, run.summary))
+    style.caption(figure, _mean_and_fractions(forces, run.summary, style.units_of(run)))
     return figure
 
 
-def _mean_and_fractions(forces, summary):
+def _mean_and_fractions(forces, summary, units):
     mean = forces.attributes["mean"]
-    parts = [f"mean {mean:.3g} grain weights"] if np.isfinite(mean) else []
+    parts = [f"mean {mean:.3g} {units.force_word()}"] if np.isfinite(mean) else []
     known = summary.get("forces") or {}
     parts += [f"{100.0 * known[key]:.1f} % {name}" for key, name in FRACTIONS if known.get(key) is not None]
     return "; ".join(parts)

@@ -27,7 +27,7 @@ def draw(run, state):
         raise NotDrawn("no wall moved or carried a force")
 
     units, time = style.units_of(run), run.series["time"]
-    weight = run.attributes["grain_weight"]
+    weight = run.attributes["grain_weight"] or 1.0
     figure = Figure(figsize=(5.2, 3.6 if moving.any() else 2.4))
     rows = figure.subplots(2 if moving.any() else 1, 1, sharex=True, squeeze=False)[:, 0]
     for colour, wall in zip(style.SERIES, chosen):
@@ -37,7 +37,7 @@ def draw(run, state):
         rows[0].plot(time, -force[:, wall] @ along / weight, color=colour, linewidth=0.8, label=label)
         if moving[wall]:
             rows[1].plot(time, displacement[:, wall], color=colour, linewidth=0.8)
-    rows[0].set_ylabel("force of the grains\n(grain weights)")
+    rows[0].set_ylabel(units.force("force of the grains"))
     rows[0].legend(loc="lower left", bbox_to_anchor=(0.0, 1.02), ncols=min(4, len(chosen)))
     if moving.any():
         rows[1].set_ylabel(units.length("displacement"))

@@ -24,4 +24,29 @@ REPOSE_FN double attraction(const NoCohesion&, const Touch<double>&) { return 0.
 /// Potential energy [M L^2/T^2] of the attraction, <= 0.
 inline double cohesion_energy(const NoCohesion&, const Touch<double>&) { return 0.0; }
 
+// A law whose attraction depends on the past of the contact has functions of its own instead of these: `bonded` is what
+// a contact keeps of it.
+
+template <class Law>
+REPOSE_FN double attraction(const Law& law, const Touch<double>& touch, bool& /*bonded*/) {
+  return attraction(law, touch);
+}
+
+template <class Law>
+double cohesion_energy(const Law& law, const Touch<double>& touch, bool /*bonded*/) {
+  return cohesion_energy(law, touch);
+}
+
+/// Energy [M L^2/T^2] that is lost where a bond ends.
+template <class Law>
+double energy_of_break(const Law&, const Touch<double>&) {
+  return 0.0;
+}
+
+/// The distance, in diameters of the smallest grain, up to which bonds last; 0 without bonds.
+template <class Law>
+double reach_of_bonds(const Law&, double /*smallest_diameter*/) {
+  return 0.0;
+}
+
 }  // namespace repose

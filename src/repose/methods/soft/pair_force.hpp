@@ -65,27 +65,46 @@ REPOSE_FN void to_push(const PairGeometry<D>& pair, const ContactForce<Tangent<D
 }
 
 /// Computes the push of pair (a, b) on a, and advances the slip displacement; in a full kernel also the rolling
-/// displacement. `times` is the step [T], or HalfSteps where velocities are those of the time of the force. If the pair
-/// is out of reach, returns false and sets the displacements to zero.
+/// displacement and whether the pair is bonded. `times` is the step [T], or HalfSteps where velocities are those of the
+/// time of the force. If the pair is out of reach and not bonded, returns false and sets the displacements to zero.
 template <bool Periodic, int D, class Law, class Times, bool Full>
 REPOSE_FN bool pair_force(const Law& law, const Grain<D>& a, const Grain<D>& b, const Box<D>& box, const Times& times,
-                          Tangent<D>& slip, Tangent<D>& roll, Push<D, Full>& push) {
+                          Tangent<D>& slip, Tangent<D>& roll, std::uint8_t& bonded, Push<D, Full>& push) {
   const Vec<D> d = separation<Periodic>(a.position, b.position, box);
   const double distance2 = dot(d, d);
   const double within = reach(law.normal) * (a.radius + b.radius);
-  if (distance2 >= within * within) {
+  bool apart = distance2 >= within * within;
+  if constexpr (Full) apart = apart && bonded == 0;
+  if (apart) {
     slip = Tangent<D>{};
     if constexpr (Full) roll = Tangent<D>{};
     return false;
   }
   const auto pair = pair_geometry(a, b, d, distance2, within);
   ContactHistory<Tangent<D>> history{turned(slip, pair.normal), {}};
-  if constexpr (Full) history.roll = turned(roll, pair.normal);
+  if constexpr (Full) {
+    history.roll = turned(roll, pair.normal);
+    history.bonded = bonded != 0;
+  }
   const auto force = contact_force(law, pair.touch, pair.slip_velocity, pair.roll_velocity, times, history);
   slip = history.slip;
-  if constexpr (Full) roll = history.roll;
   to_push(pair, force, a.radius, b.radius, push);
+  if constexpr (Full) {
+    roll = history.roll;
+    if (bonded != 0 && !history.bonded) {
+      (a.fixed() ? push.back_lost : push.lost) = energy_of_break(law.cohesion, pair.touch);
+    }
+    bonded = history.bonded ? 1 : 0;
+  }
   return true;
+}
+
+/// The same for a pair that makes no bonds.
+template <bool Periodic, int D, class Law, class Times, bool Full>
+REPOSE_FN bool pair_force(const Law& law, const Grain<D>& a, const Grain<D>& b, const Box<D>& box, const Times& times,
+                          Tangent<D>& slip, Tangent<D>& roll, Push<D, Full>& push) {
+  std::uint8_t unbonded = 0;
+  return pair_force<Periodic>(law, a, b, box, times, slip, roll, unbonded, push);
 }
 
 /// The same without resistance to rolling.
@@ -134,7 +153,7 @@ void find_wall_contacts(const Laws& laws, const Grain<D>& grain, std::uint16_t m
     const auto from_point = from_wall(wall, now[w], grain.position, box);
     const auto place = above(wall, now[w].normal, from_point);
     const double within = reach(laws.of(material, wall.material).normal) * (2.0 * grain.radius);
-    if (wall_distance(grain, wall, place) < within) contacts.add(w, k, from_point, place);
+    if (wall_distance(grain, wall, place) < within || row[k].bonded != 0) contacts.add(w, k, from_point, place);
   }
   contacts.join(walls, now, grain.radius);
 }

@@ -22,6 +22,8 @@ struct Push<D, true> {
   Spin<D> back_rim_torque{};  ///< [M L/T^2] on the second grain, where rolling resistance has the opposite sign
   Vec<D> damping{};           ///< [M L/T^2] part of the force by the dashpot
   Vec<D> friction{};          ///< [M L/T^2] tangential part of the force
+  double lost = 0.0;          ///< [M L^2/T^2] energy of a bond that ends, charged to the first grain
+  double back_lost = 0.0;     ///< [M L^2/T^2] the same, charged to the second
 };
 
 /// The sum of the pushes on a grain: 32 bytes in 2D in a lean kernel.
@@ -45,18 +47,21 @@ struct Slot<D, true> {
   Spin<D> rim_torque{};
   Vec<D> damping{};
   Vec<D> friction{};
+  double lost = 0.0;
 
   void add(const Push<D, true>& push) {
     force += push.force;
     rim_torque += push.rim_torque;
     damping += push.damping;
     friction += push.friction;
+    lost += push.lost;
   }
   void add_back(const Push<D, true>& push) {
     force -= push.force;
     rim_torque += push.back_rim_torque;
     damping -= push.damping;
     friction -= push.friction;
+    lost += push.back_lost;
   }
 };
 

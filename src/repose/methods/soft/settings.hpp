@@ -27,11 +27,12 @@ struct SoftSettings {
   Vec<D> gravity{};        ///< [L/T^2]
   Box<D> box{};
   std::vector<Wall<D>> walls;
-  bool synchronised = false;  ///< compute forces from velocities predicted for the full step (large size ratios)
-  bool audit = false;         ///< keep the energy budget; in a full kernel only
-  bool reference = false;     ///< use the general kernel even if a fused one gives the same bits faster
-  double skin = 0.3;          ///< [L] skin of the pair list
-  GlobalDamping damping{};    ///< in a full kernel only
+  bool synchronised = false;       ///< compute forces from velocities predicted for the full step (large size ratios)
+  bool audit = false;              ///< keep the energy budget; in a full kernel only
+  bool reference = false;          ///< use the general kernel even if a fused one gives the same bits faster
+  double skin = 0.3;               ///< [L] skin of the pair list
+  double smallest_diameter = 1.0;  ///< [L] of any grain, from which the longest bond follows
+  GlobalDamping damping{};         ///< in a full kernel only
 };
 
 }  // namespace repose

@@ -28,7 +28,7 @@ class Soft final : public Method<D> {
       : laws_(std::move(laws)),
         settings_(std::move(settings)),
         pairs_(PairReach{widest_reach(), settings_.skin, look_ahead_steps * settings_.time_step,
-                         magnitude(settings_.gravity), Full}),
+                         magnitude(settings_.gravity), Full, makes_bonds()}),
         walls_(settings_.walls.size()),
         wall_list_(settings_.walls.size()) {
     REPOSE_ASSERT(Full || !settings_.audit);
@@ -134,10 +134,18 @@ class Soft final : public Method<D> {
   /// heap.
   static constexpr double look_ahead_steps = 256.0;
 
+  /// Bonds may be longer than the reach of the normal laws.
   double widest_reach() const {
     double widest = 0.0;
-    for (const auto& law : laws_.all()) widest = std::max(widest, reach(law.normal));
+    for (const auto& law : laws_.all()) {
+      widest = std::max({widest, reach(law.normal), reach_of_bonds(law.cohesion, settings_.smallest_diameter)});
+    }
     return widest;
+  }
+
+  bool makes_bonds() const {
+    return std::any_of(laws_.all().begin(), laws_.all().end(),
+                       [&](const Law& law) { return reach_of_bonds(law.cohesion, settings_.smallest_diameter) > 0.0; });
   }
 
   /// The time [T] by which velocities are behind positions: half a step, and 0 at the start.
@@ -293,9 +301,10 @@ void Soft<D, Law, Full>::for_every_contact(const Grains<D>& grains, double back,
       const auto second = at(b);
       const Vec<D> d = separation(first.position, second.position, box);
       const double within = reach(law.normal) * (first.radius + second.radius);
-      if (dot(d, d) >= within * within) continue;
+      const bool bonded = !pairs_.bonded.empty() && pairs_.bonded[k] != 0;
+      if (dot(d, d) >= within * within && !bonded) continue;
       const auto pair = soft::pair_geometry(first, second, d, dot(d, d), within);
-      ContactHistory<Tangent<D>> history;
+      ContactHistory<Tangent<D>> history{.bonded = bonded};
       history.slip = turned(swap ? swapped(pairs_.slip[k]) : pairs_.slip[k], pair.normal);
       if constexpr (Full) history.roll = turned(swap ? -pairs_.roll[k] : pairs_.roll[k], pair.normal);
       const auto force = with_times([&](const auto& times) {
@@ -320,7 +329,8 @@ void Soft<D, Law, Full>::for_every_contact(const Grains<D>& grains, double back,
       const auto pair =
           soft::wall_geometry(law, grain, wall, now[touch.wall], touch.place, surface_velocity(now[touch.wall], touch));
       const auto& contact = row[touch.entry];
-      ContactHistory<Tangent<D>> history{turned(contact.slip, pair.normal), turned(contact.roll, pair.normal)};
+      ContactHistory<Tangent<D>> history{turned(contact.slip, pair.normal), turned(contact.roll, pair.normal),
+                                         contact.bonded != 0};
       const auto force =
           with_times([&](const auto& times) { return soft::wall_contact(law, wall, pair, times, history); });
       use(grains.id[i], wall_partner(touch.wall), law, pair, force, history, grain.radius);
@@ -353,16 +363,20 @@ void Soft<D, Law, Full>::set_slip_displacements(const Grains<D>& grains, const C
     const auto found = known.find({first, second});
     return found == known.end() ? Tangent<D>{} : found->second;
   };
+  const bool bonds = makes_bonds();
+  const auto bonded = [&](std::int64_t first, std::int64_t second) { return bonds && known.contains({first, second}); };
   for (std::uint32_t i = 0; i < pairs_.rows(); ++i) {
     for (auto k = pairs_.row_start[i]; k < pairs_.row_start[i + 1]; ++k) {
       const auto a = grains.id[i];
       const auto b = grains.id[pairs_.partner[k]];
       pairs_.slip[k] = b < a ? swapped(of(b, a)) : of(a, b);
+      if (bonds) pairs_.bonded[k] = bonded(std::min(a, b), std::max(a, b)) ? 1 : 0;
     }
     if (!wall_list_.any()) continue;
     for (auto k = wall_list_.row_start[i]; k < wall_list_.row_start[i + 1]; ++k) {
       auto& contact = wall_list_.pairs[k];
       contact.slip = of(grains.id[i], wall_partner(contact.wall));
+      contact.bonded = bonded(grains.id[i], wall_partner(contact.wall)) ? 1 : 0;
     }
   }
   account_for_start(grains);
@@ -376,7 +390,7 @@ void Soft<D, Law, Full>::add_elastic(Energy& account, const Grains<D>& grains) c
                           const ContactForce<Tangent<D>>& force, const ContactHistory<Tangent<D>>& history, double) {
                         const double springs = stored_energy(law.tangential, pair.touch, force.normal, history.slip) +
                                                stored_energy(law.rolling, pair.touch, force.normal, history.roll);
-                        account.elastic += elastic_energy(law, pair.touch) + springs;
+                        account.elastic += elastic_energy(law, pair.touch, history.bonded) + springs;
                         (second < 0 ? account.walls : account.friction) -= springs;
                       });
   }

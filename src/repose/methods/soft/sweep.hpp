@@ -52,13 +52,15 @@ REPOSE_FN auto contact_times(const SweepInput<D, Law>& in) {
 template <bool Periodic, bool Synchronised, bool Full, int D, class Law>
 void push_edges(const SweepInput<D, Law>& in, const Grains<D>& grains, Workspace<D, Full>& mine) {
   Tangent<D> no_roll{};
+  std::uint8_t no_bond = 0;
   for (std::size_t e = 0; e < mine.edges.size(); ++e) {
     const auto [i, k] = mine.edges[e];
     const auto j = in.pairs.partner[k];
     mine.edge_push[e] = {};
     pair_force<Periodic>(in.laws.of(grains.material[i], grains.material[j]), grains.line[i], grains.line[j],
                          in.settings.box, contact_times<Synchronised>(in), in.pairs.slip[k],
-                         Full ? in.pairs.roll[k] : no_roll, mine.edge_push[e]);
+                         Full ? in.pairs.roll[k] : no_roll, in.pairs.bonded.empty() ? no_bond : in.pairs.bonded[k],
+                         mine.edge_push[e]);
   }
 }
 
@@ -132,6 +134,8 @@ void add_work(GrainWork& work, const Slot<D, true>& sum, const WallPush<D, true>
   work.damping -= power(sum.damping) * kick;
   work.friction -= (power(sum.friction) + turning(sum.rim_torque) - turning(at_walls.all.rim_torque)) * kick;
   work.walls -= (power(at_walls.dissipative) + turning(at_walls.all.rim_torque)) * kick;
+  work.damping += sum.lost;
+  work.walls += at_walls.all.lost;
 }
 
 /// The push of the walls on grain i. The force of each wall is also stored with its pair.
@@ -155,6 +159,7 @@ WallPush<D, Full> push_of_walls(const SweepInput<D, Law>& in, const Grains<D>& g
     if (!in_reach || !contacts.acts(*touch)) {
       contact.slip = {};
       contact.roll = {};
+      contact.bonded = 0;
       contact.force = {};
       contact.dissipative = {};
       continue;
@@ -164,7 +169,8 @@ WallPush<D, Full> push_of_walls(const SweepInput<D, Law>& in, const Grains<D>& g
     const auto& now = mine.walls_now[contact.wall];
     contact.surface = surface_velocity(now, *touch);
     const auto pair = wall_geometry(law, grain, wall, now, touch->place, contact.surface);
-    ContactHistory<Tangent<D>> history{turned(contact.slip, pair.normal), turned(contact.roll, pair.normal)};
+    ContactHistory<Tangent<D>> history{turned(contact.slip, pair.normal), turned(contact.roll, pair.normal),
+                                       contact.bonded != 0};
     const auto force = wall_contact(law, wall, pair, contact_times<Synchronised>(in), history);
     contact.slip = history.slip;
     contact.roll = history.roll;
@@ -177,6 +183,8 @@ WallPush<D, Full> push_of_walls(const SweepInput<D, Law>& in, const Grains<D>& g
     if constexpr (Full) {
       contact.dissipative = push.damping + push.friction;
       sum.dissipative += contact.dissipative;
+      if (contact.bonded != 0 && !history.bonded) sum.all.lost += energy_of_break(law.cohesion, pair.touch);
+      contact.bonded = history.bonded ? 1 : 0;
     }
   }
   return sum;
@@ -255,6 +263,8 @@ void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Wor
   const std::uint32_t* const partner = in.pairs.partner.data();
   Tangent<D>* const history = in.pairs.slip.data();
   [[maybe_unused]] Tangent<D>* const roll = in.pairs.roll.data();
+  [[maybe_unused]] std::uint8_t* const bonded = in.pairs.bonded.empty() ? nullptr : in.pairs.bonded.data();
+  [[maybe_unused]] std::uint8_t no_bond = 0;
   Grain<D>* const line = grains.line.data();
   Slot<D, Full>* const ring = mine.ring.data();
   const std::size_t mask = mine.ring.size() - 1;
@@ -290,7 +300,8 @@ void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Wor
       Push<D, Full> push;
       const Law& pair_law = OneMaterial ? law : in.laws.of(grains.material[i], grains.material[j]);
       if constexpr (Full) {
-        if (!pair_force<Periodic>(pair_law, grain, line[j], box, times, history[k], roll[k], push)) continue;
+        auto& bond = bonded == nullptr ? no_bond : bonded[k];
+        if (!pair_force<Periodic>(pair_law, grain, line[j], box, times, history[k], roll[k], bond, push)) continue;
       } else {
         if (!pair_force<Periodic>(pair_law, grain, line[j], box, times, history[k], push)) continue;
       }

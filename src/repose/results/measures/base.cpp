@@ -9,7 +9,7 @@ void add_base(Registry& to) {
   const auto profile = [](auto member) { return [=](const Measured& run) { return run.record.base.*member; }; };
   const auto dip = [](auto member) { return [=](const Measured& run) { return (*run.results.dip).*member; }; };
   const auto add = [&](Measure measure) { to.measures.push_back(std::move(measure)); };
-  add(measure("base_profile", "", "lists: force of the heap on each base grain",
+  add(measure("base_profile", "", "lists: force of the heap on each base grain; in M L/T^2 without gravity",
               [](const Measured& run) { return run.record.base.x.empty() ? std::nullopt : std::optional(Object{}); }));
   add(measure("base_profile.x", "L", "centres", profile(&BaseProfile::x)));
   add(measure("base_profile.normal", "grain weights", "positive downward", profile(&BaseProfile::normal)));

@@ -2,20 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/results/registry.hpp"
 
-#include <limits>
-
 namespace repose {
 
 namespace {
 
 bool has_forces(const Measured& run) { return run.results.forces.has_value(); }
 
-/// Mean normal force [grain weights]; none where grains have no weight.
-std::optional<double> mean_force(const Measured& run) {
-  const double weight = run.record.scene.grain_weight();
-  if (!(weight > 0.0)) return std::nullopt;
-  return run.results.forces->mean / weight;
-}
+/// Mean normal force [grain weights, or M L/T^2 without gravity].
+double mean_force(const Measured& run) { return run.results.forces->mean / run.record.scene.base_force_unit(); }
 
 double mean_contacts(const Measured& run) {
   const auto& list = run.results.chains.list;
@@ -33,10 +27,8 @@ void add_statistics(Registry& to) {
       {"forces",
        "bins",
        {
-           attribute<Measured>(
-               "mean",
-               [](const Measured& run) { return mean_force(run).value_or(std::numeric_limits<double>::quiet_NaN()); },
-               "grain weights", "normal force of the contacts that count"),
+           attribute<Measured>("mean", mean_force, "grain weights",
+                               "normal force of the contacts that count; in M L/T^2 without gravity"),
            attribute<Measured>(
                "bin_width", [](const Measured& run) { return run.results.forces->bin_width; }, "", "of f"),
        },
@@ -84,7 +76,7 @@ void add_forces(Registry& to) {
   const auto add = [&](Measure measure) { to.measures.push_back(std::move(measure)); };
   add(measure("forces", "", "normal forces of the contacts that count and push",
               [](const Measured& run) { return has_forces(run) ? std::optional(Object{}) : std::nullopt; }));
-  add(measure("forces.mean", "grain weights", "mean", mean_force));
+  add(measure("forces.mean", "grain weights", "mean; in M L/T^2 without gravity", mean_force));
   add(measure("forces.strong_fraction", "", "fraction of contacts above the mean",
               [](const Measured& run) { return run.results.forces->strong_fraction; }));
   add(measure("forces.sliding_fraction", "", "fraction of contacts at the Coulomb limit",

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/analysis/statistics.hpp"
+#include "repose/record/force_unit.hpp"
 #include "repose/results/registry.hpp"
 
 #include <algorithm>
@@ -29,10 +30,7 @@ std::size_t largest_size(const Measured& run) {
   return largest;
 }
 
-double burst_threshold(const Measured& run) {
-  const auto& scene = run.record.scene;
-  return scene.analysis.burst * scene.grain_weight() * scene.grains.diameter;
-}
+double threshold_of_bursts(const Measured& run) { return burst_threshold(run.record.scene, run.results.force_unit); }
 
 template <class Event>
 Columns<std::vector<Event>> time_columns() {
@@ -94,10 +92,10 @@ void add_groups(Registry& to) {
            avalanches);
   auto bursts = time_columns<Burst>();
   bursts.push_back(column("peak", &Burst::peak, "M L^2/T^2", "largest kinetic energy"));
-  add_list(
-      to, "bursts", &Motion::bursts,
-      {attribute<Measured>("threshold", burst_threshold, "M L^2/T^2", "kinetic energy above which there is a burst")},
-      bursts);
+  add_list(to, "bursts", &Motion::bursts,
+           {attribute<Measured>("threshold", threshold_of_bursts, "M L^2/T^2",
+                                "kinetic energy above which there is a burst")},
+           bursts);
 }
 
 }  // namespace

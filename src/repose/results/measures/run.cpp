@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/core/version.hpp"
 #include "repose/results/registry.hpp"
+#include "repose/results/warnings.hpp"
 
 namespace repose {
 
@@ -42,6 +43,8 @@ void add_run(Registry& to) {
   add(measure("status", "", "\"running\", \"finished\", \"interrupted\" or \"failed\"",
               [](const Measured& run) { return status_text(run.record.facts.status); }));
   add(measure("stop_reason", "", "why the run stopped", fact(&RunFacts::message)));
+  add(of_run(measure("warnings", "", "what makes the results doubtful, a text each; empty if nothing does",
+                     [](const Measured& run) { return warnings_of(run.record); })));
   add(measure("grains", "", "moving grains present",
               [](const Measured& run) { return moving_count(*run.record.grains); }));
   add(measure("grains_released", "", "grains that the source has released", fact(&RunFacts::released)));
@@ -50,7 +53,13 @@ void add_run(Registry& to) {
               "contacts that push or pull with more than `force_threshold`; in a deposition all, by geometry",
               contacts));
   add(of_run(measure(
-      "force_threshold", "grain weights", "`analysis.force_threshold` of the scene",
+      "force_scale", "", "`analysis.force_scale` of the scene",
+      [](const Measured& run) { return run.record.scene.analysis.force_scale; }, Needs::forces)));
+  add(of_run(measure(
+      "force_unit", "M L/T^2", "what that is in the state", [](const Measured& run) { return run.results.force_unit; },
+      Needs::forces)));
+  add(of_run(measure(
+      "force_threshold", "force units", "`analysis.force_threshold` of the scene",
       [](const Measured& run) { return run.record.scene.analysis.force_threshold; }, Needs::forces)));
   add(measure("time", "T", "of the state; in a deposition it counts discs", fact(&RunFacts::time)));
   add(of_run(measure("steps", "", "time steps taken", fact(&RunFacts::steps))));
@@ -65,8 +74,11 @@ void add_run(Registry& to) {
       measure("grain_steps_per_second", "1/s", "moving grains times steps over wall time", grain_steps_per_second)));
   add(measure("kinetic_energy_per_grain", "M L^2/T^2", "at the last observation",
               last(&SeriesRow::kinetic_energy_per_grain), Needs::forces));
-  add(measure("force_residual", "", "mean net force on a moving grain over its weight, at the last observation",
-              last(&SeriesRow::force_residual), Needs::forces));
+  add(measure(
+      "force_residual", "",
+      "mean net force on a moving grain over its weight (without gravity, over the mean normal force), at the last "
+      "observation",
+      last(&SeriesRow::force_residual), Needs::forces));
   add(measure("max_overlap", "", "deepest overlap over the mean diameter of the pair",
               [](const Measured& run) { return run.results.max_overlap; }));
 }

@@ -17,6 +17,7 @@ std::unique_ptr<Method<2>> SoftMethod::make(const Scene& scene) const {
   settings.audit = scene.output.energy;
   settings.skin = skin;
   settings.damping = {local_damping, viscous_damping};
+  settings.smallest_diameter = scene.smallest_diameter();
   return make_soft<2>(scene.material_laws(), settings);
 }
 
