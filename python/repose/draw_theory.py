@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 from repose import style, theory
+from repose.errors import complain
 from repose.pictures.models import draw_model
 
 
@@ -28,14 +29,12 @@ def main(arguments=None):
     try:
         _draw(options)
     except theory.InputError as error:
-        print(error, file=sys.stderr)
+        complain(error)
         return 2
     except KeyboardInterrupt:
         return 130
-    except BrokenPipeError:
-        raise  # the reader of standard output has left
     except OSError as error:
-        print(f"repose theory: {error.filename or options.plot}: cannot be written: {error.strerror}", file=sys.stderr)
+        complain(f"repose theory: {error.filename or options.plot}: cannot be written: {error.strerror}")
         return 2
     return 0
 

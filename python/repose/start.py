@@ -5,9 +5,17 @@
 Any failure is one line and an exit status. The file is run by its path, so that it can report a package that is missing.
 """
 
+import signal
 import sys
 
 INTERRUPTED = 130
+interrupts = []
+
+
+def interrupt(*_):
+    """Remembers Ctrl-C: imports turn the KeyboardInterrupt into errors of their own."""
+    interrupts.append(True)
+    raise KeyboardInterrupt
 
 
 def silenced():
@@ -17,9 +25,26 @@ def silenced():
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
+def complain(text):
+    """Prints a line to standard error, if that takes it."""
+    try:
+        print(text, file=sys.stderr, flush=True)
+    except OSError:
+        sys.stderr = None
+
+
 def one_line(error):
     """Message of an exception without line breaks."""
     return " ".join(str(error).split()) or type(error).__name__
+
+
+def reason(error):
+    """What a user is told of a failure."""
+    if isinstance(error, ImportError):
+        return f"repose: drawing needs the Python package {error.name}: {one_line(error)}"
+    if isinstance(error, MemoryError):
+        return "repose: not enough memory to draw this"
+    return f"repose: cannot draw: {one_line(error)}"
 
 
 def status_of(module):
@@ -34,14 +59,10 @@ def status_of(module):
         return INTERRUPTED
     except BrokenPipeError:
         silenced()
-    except ImportError as error:
-        print(f"repose: drawing needs the Python package {error.name}: {one_line(error)}", file=sys.stderr)
-        return 1
-    except MemoryError:
-        print("repose: not enough memory to draw this", file=sys.stderr)
-        return 1
     except Exception as error:  # a user gets one line, whatever it is
-        print(f"repose: cannot draw: {one_line(error)}", file=sys.stderr)
+        if interrupts:
+            return INTERRUPTED
+        complain(reason(error))
         return 1
     return 0
 
@@ -54,7 +75,7 @@ def flushed(status):
     except BrokenPipeError:
         silenced()
     except OSError as error:
-        print(f"repose: standard output: cannot be written: {error.strerror}", file=sys.stderr)
+        complain(f"repose: standard output: cannot be written: {error.strerror}")
         silenced()
         return status or 1
     return status
@@ -70,6 +91,8 @@ def main():
 
 
 if __name__ == "__main__":
+    if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:
+        signal.signal(signal.SIGINT, interrupt)
     try:
         STATUS = main()
     except KeyboardInterrupt:

@@ -1,5 +1,5 @@
-#SPDX - FileCopyrightText : 2026 The Repose developers
-#SPDX - License - Identifier : BSD - 3 - Clause
+# SPDX-FileCopyrightText: 2026 The Repose developers
+# SPDX-License-Identifier: BSD-3-Clause
 """Drawing in careless surroundings: modules in the present folder, missing packages, settings of Matplotlib, Ctrl-C."""
 
 import shutil
@@ -14,7 +14,7 @@ from conftest import PROGRAM, assert_plain
 def plot(lab, heap, line="", **environment):
     if not (lab.path / "heap").exists():
         shutil.copytree(heap, lab.path / "heap")
-    return lab.shell(f"$REPOSE plot heap --only heap,forces --format png {line}", **environment)
+    return lab.shell(f"$REPOSE plot heap --only heap,chains --format png {line}", **environment)
 
 
 def test_nothing_is_imported_from_the_present_folder(lab, heap):

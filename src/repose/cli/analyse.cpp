@@ -40,7 +40,7 @@ int act(const AnalyseOptions& options) {
   }
   auto results = analyse(record);
   if (options.force_range) results.force_range = force_range(record, results);
-  write_results(options.folder, record, results);
+  write_results(options.folder, lock, record, results);
   if (!options.quiet) say("{}", describe_result(record, results));
   return 0;
 }

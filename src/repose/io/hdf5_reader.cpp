@@ -37,13 +37,14 @@ void Hdf5Reader::fail(const std::string& object, const std::string& what) const 
 }
 
 bool Hdf5Reader::has(const std::string& name) const {
-  // Every group of the path must be checked, and a link may be dangling.
-  for (auto slash = name.find('/'); slash != std::string::npos; slash = name.find('/', slash + 1)) {
-    if (slash > 0 && H5Lexists(file_, name.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) return false;
+  // Every group of the path must exist before the next step is asked for.
+  for (std::size_t end = 0; end != std::string::npos;) {
+    end = name.find('/', end + 1);
+    H5L_info_t link{};
+    if (H5Lget_info(file_, name.substr(0, end).c_str(), &link, H5P_DEFAULT) < 0) return false;
+    if (link.type != H5L_TYPE_HARD) return false;
   }
-  if (H5Lexists(file_, name.c_str(), H5P_DEFAULT) <= 0) return false;
-  const Handle object(H5Oopen(file_, name.c_str(), H5P_DEFAULT), H5Oclose);
-  return !object.failed();
+  return true;
 }
 
 namespace {
@@ -131,7 +132,7 @@ std::vector<T> Hdf5Reader::table(const std::string& name, std::size_t columns) c
 
 template <class T>
 std::vector<T> Hdf5Reader::read(const std::string& name, std::size_t columns, int wanted) const {
-  const Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle dataset(has(name) ? H5Dopen2(file_, name.c_str(), H5P_DEFAULT) : -1, H5Dclose);
   if (dataset.failed()) fail(name, "no such dataset");
   const Handle space(H5Dget_space(dataset.id()), H5Sclose);
   std::array<hsize_t, 2> shape{1, 1};
@@ -157,7 +158,7 @@ template std::vector<std::uint16_t> Hdf5Reader::dataset(const std::string&, std:
 template std::vector<std::uint8_t> Hdf5Reader::dataset(const std::string&, std::size_t) const;
 
 std::vector<std::string> Hdf5Reader::texts(const std::string& name) const {
-  const Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle dataset(has(name) ? H5Dopen2(file_, name.c_str(), H5P_DEFAULT) : -1, H5Dclose);
   if (dataset.failed()) fail(name, "no such dataset");
   const Handle type(H5Dget_type(dataset.id()), H5Tclose);
   const Handle space(H5Dget_space(dataset.id()), H5Sclose);
@@ -179,7 +180,7 @@ std::vector<std::string> Hdf5Reader::texts(const std::string& name) const {
 
 void Hdf5Reader::bytes(const std::string& name, std::size_t item,
                        const std::function<void*(std::size_t count)>& room) const {
-  const Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle dataset(has(name) ? H5Dopen2(file_, name.c_str(), H5P_DEFAULT) : -1, H5Dclose);
   if (dataset.failed()) fail(name, "no such dataset");
   const Handle space(H5Dget_space(dataset.id()), H5Sclose);
   std::array<hsize_t, 2> shape{};
@@ -195,7 +196,7 @@ void Hdf5Reader::bytes(const std::string& name, std::size_t item,
 }
 
 std::vector<std::size_t> Hdf5Reader::shape(const std::string& name) const {
-  const Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle dataset(has(name) ? H5Dopen2(file_, name.c_str(), H5P_DEFAULT) : -1, H5Dclose);
   if (dataset.failed()) return {};
   const Handle space(H5Dget_space(dataset.id()), H5Sclose);
   const int rank = H5Sget_simple_extent_ndims(space.id());
@@ -205,7 +206,7 @@ std::vector<std::size_t> Hdf5Reader::shape(const std::string& name) const {
 }
 
 Hdf5Reader::Values Hdf5Reader::values(const std::string& name) const {
-  const Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle dataset(has(name) ? H5Dopen2(file_, name.c_str(), H5P_DEFAULT) : -1, H5Dclose);
   if (dataset.failed()) fail(name, "no such dataset");
   const Handle type(H5Dget_type(dataset.id()), H5Tclose);
   const Handle space(H5Dget_space(dataset.id()), H5Sclose);

@@ -207,14 +207,17 @@ void RunFolder::write(const Simulation& simulation, const Written& written) {
 }
 
 void RunFolder::write_run(const Record& record, const Written& written) {
+  lock_->check_place();
   write_record(path_ + "/run.h5", record, frames_, segments_);
   const auto results = analyse(record);
-  write_results(path_, record, results);
+  write_results(path_, *lock_, record, results);
   if (written) written(record, results);
 }
 
-void write_results(const std::string& folder, const Record& record, const Results& results) {
+void write_results(const std::string& folder, const FolderLock& lock, const Record& record, const Results& results) {
+  lock.check_place();
   write_analysis(folder + "/analysis.h5", record, results);
+  lock.check_place();
   write_text_file(folder + "/summary.json", summary_text(record, results));
 }
 

@@ -204,7 +204,7 @@ std::size_t SweepFolder::analyse(bool with_force_range) const {
     const auto record = read_record(folder);
     auto results = repose::analyse(record);
     if (with_force_range) results.force_range = force_range(record, results);
-    write_results(folder, record, results);
+    write_results(folder, lock, record, results);
     ++count;
   }
   write(table());
