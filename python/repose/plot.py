@@ -6,11 +6,9 @@ import argparse
 import sys
 from functools import partial
 
-import matplotlib
-
 import repose
 from repose import style
-from repose.errors import NotDrawn
+from repose.errors import NotDrawn, complain, say
 from repose.pictures.run import RUN_PICTURES
 from repose.pictures.sweep import SWEEP_PICTURES
 
@@ -80,17 +78,17 @@ def draw_pictures(folder, pictures, suffix, options):
     place = folder.path / "pictures"
     place.mkdir(exist_ok=True)
     for name, draw in pictures.items():
-        with matplotlib.rc_context(style.RC):
+        with style.context():
             try:
                 figures = draw()
             except NotDrawn as reason:
-                print(f"{name}: not drawn: {reason}")
+                say(f"{name}: not drawn: {reason}")
                 continue
             for k, figure in enumerate(figures, 1):
                 for kind in options.format:
                     path = place / f"{name}{suffix}{f'-{k}' if k > 1 else ''}.{kind}"
                     style.save(figure, path, kind, options.dpi, folder.attributes["title"])
-                    print(path)
+                    say(path)
 
 
 def main(arguments=None):
@@ -107,10 +105,12 @@ def main(arguments=None):
                 command.error(f"argument --only: {error}")
         draw_pictures(folder, pictures, suffix, options)
     except repose.RunFolderError as error:
-        print(f"repose plot: {error}", file=sys.stderr)
+        complain(f"repose plot: {error}")
         return 2
+    except KeyboardInterrupt:
+        return 130
     except OSError as error:
-        print(f"repose plot: {error.filename or options.folder}: cannot be written: {error.strerror}", file=sys.stderr)
+        complain(f"repose plot: {error.filename or options.folder}: cannot be written: {error.strerror}")
         return 2
     return 0
 

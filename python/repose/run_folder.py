@@ -9,7 +9,7 @@ import numpy as np
 
 from repose.analysis import Analysis
 from repose.errors import RunFolderError
-from repose.hdf5 import Table, attributes_of, check_format, opened
+from repose.hdf5 import Table, attributes_of, check_format, opened, values_of
 from repose.summary import read_summary
 
 FORMAT_VERSION = 4
@@ -102,7 +102,7 @@ class RunFolder:
                 Table(file[name]) if name in file else None for name in ("base", "walls", "energy")
             )
             self.frames = sorted(file["frames"]) if "frames" in file else []
-        self.analysis = _read_analysis(self.path / "analysis.h5", self.state)
+        self.analysis = _read_analysis(self.path / "analysis.h5", self.state, self.attributes)
         self.summary = read_summary(self.path / "summary.json")
 
     @property
@@ -116,7 +116,9 @@ class RunFolder:
         if name not in self.frames:
             saved = f"{self.frames[0]} to {self.frames[-1]}" if self.frames else "none"
             raise RunFolderError(f"{self.path}: no frame {name} (saved: {saved})")
-        with opened(self.path / "frames" / f"{name}.h5") as file:
+        path = self.path / "frames" / f"{name}.h5"
+        with opened(path) as file:
+            _check_belongs(path, attributes_of(file), self.attributes)
             return _read_state(file, name)
 
 
@@ -125,7 +127,7 @@ def _read_arrays(kind, group):
     they are 0 then."""
     none = np.zeros(len(group["overlap"])) if "overlap" in group else None
     arrays = {
-        field.name: none if none is not None and field.name in FORCES and field.name not in group else group[field.name][()]
+        field.name: none if none is not None and field.name in FORCES and field.name not in group else values_of(group[field.name])
         for field in fields(kind)
     }
     for name in {"fixed", "base", "sliding"} & arrays.keys():
@@ -144,11 +146,20 @@ def _read_state(file, frame=None):
     )
 
 
-def _read_analysis(path, state):
+def _check_belongs(path, attributes, run):
+    """RunFolderError if a file of the folder belongs to another run than its run.h5."""
+    if attributes.get("scene_hash", "") not in ("", run.get("scene_hash", "")):
+        raise RunFolderError(f"{path}: belongs to another run than the run.h5 of this folder")
+
+
+def _read_analysis(path, state, run):
     """None without a file, or with one of an earlier state: a running simulation writes run.h5 before analysis.h5."""
     if not path.is_file():
         return None
     analysis = Analysis(path)
+    _check_belongs(path, analysis.attributes, run)
+    if analysis.attributes.get("state_hash", "") not in ("", run.get("state_hash", "")):
+        return None
     chains = analysis["chains"]
     same_contacts = chains is None or len(chains["chain"]) == len(state.contacts)
     return analysis if analysis.attributes["time"] == state.time and same_contacts else None

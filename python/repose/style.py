@@ -2,10 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One style for all pictures: restrained, colour-blind safe (Okabe and Ito), small in vector formats."""
 
+import io
 import os
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
+import matplotlib
 import numpy as np
 from matplotlib import colormaps
 from matplotlib.colors import ListedColormap
@@ -61,6 +64,15 @@ RC = {
     "lines.linewidth": 1.0,
     "svg.hashsalt": "repose",  # the same figure gives the same file
 }
+
+
+@contextmanager
+def context():
+    """The settings of all pictures. Those of a user's matplotlibrc do not count: a picture is the same everywhere."""
+    with matplotlib.rc_context():
+        matplotlib.rcdefaults()
+        matplotlib.rcParams.update(RC)
+        yield
 
 
 @dataclass(frozen=True)
@@ -130,11 +142,19 @@ def caption(figure, text):
 
 
 def save(figure, path, kind, dpi, title):
-    """Writes a picture under a temporary name and renames it, so that no file is ever incomplete."""
+    """Writes a picture under a temporary name and renames it, so that no file is ever incomplete. Follows links, and
+    writes straight into what is no regular file."""
     metadata = {"Title": title}
     if kind != "png":
         metadata["Date" if kind == "svg" else "CreationDate"] = None  # the same figure gives the same file
     path = Path(path)
+    if path.exists() and not path.is_file():
+        picture = io.BytesIO()
+        figure.savefig(picture, format=kind, dpi=dpi, metadata=metadata)
+        with open(path, "wb") as file:
+            file.write(picture.getvalue())
+        return
+    path = Path(os.path.realpath(path))
     temporary = path.with_name(f".{path.name}.{os.getpid()}")
     try:
         figure.savefig(temporary, format=kind, dpi=dpi, metadata=metadata)

@@ -113,7 +113,7 @@ except ValueError as error:
 """
     assert in_python(code) == (
         "pile-continuum: slope_deg = 61: must be > 0 and < 60 (deg)\n"
-        "pile-continuum: points = 1: must be from 2 to 10000000"
+        "pile-continuum: points = 1: must be from 2 to 1000000"
     )
 
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/cli/common_arguments.hpp"
 #include "repose/cli/python.hpp"
+#include "repose/cli/say.hpp"
 #include "repose/cli/verbs.hpp"
 #include "repose/comparison/base_overlay.hpp"
 #include "repose/core/errors.hpp"
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -36,16 +36,15 @@ std::string per_degree(const Agreement& agreement) {
 
 void print(const std::vector<BaseOverlay>& all) {
   for (const auto& base : all) {
-    if (!base.point.empty()) fmt::print("{}{}\n", base.point, base.problem.empty() ? "" : ": " + base.problem);
+    if (!base.point.empty()) say("{}{}\n", base.point, base.problem.empty() ? "" : ": " + base.problem);
     for (const auto& comparison : base.models) {
-      fmt::print("{}\n", comparison.label());
+      say("{}\n", comparison.label());
       for (const auto& [name, agreement] : {std::pair{"normal", &comparison.normal}, {"shear", &comparison.shear}}) {
-        fmt::print("  {:<8} chi-square per degree {}, rms residual {:.3g} grain weights, {:.3g} of the mean load\n",
-                   name, per_degree(*agreement), agreement->rms, agreement->rms_over_mean);
+        say("  {:<8} chi-square per degree {}, rms residual {:.3g} grain weights, {:.3g} of the mean load\n", name,
+            per_degree(*agreement), agreement->rms, agreement->rms_over_mean);
       }
     }
   }
-  std::fflush(stdout);
 }
 
 int act(const PlotOptions& options) {

@@ -171,6 +171,13 @@ std::vector<std::string> relations(const QModel& model) {
     problems.push_back(
         fmt::format("start = gamma: needs distribution = uniform | dirichlet, not {}", model.distribution));
   }
+  constexpr double most_shares = 1e11;
+  const double shares = static_cast<double>(model.width) * static_cast<double>(model.layers) *
+                        static_cast<double>(model.neighbours) * static_cast<double>(model.runs);
+  if (shares > most_shares) {
+    problems.push_back(
+        fmt::format("width, layers, neighbours and runs: their product is {:g}; must be <= {:g}", shares, most_shares));
+  }
   if (model.start == "zero" && model.injection == 0) {
     problems.emplace_back("injection = 0: needs start = gamma; otherwise all weights are 0");
   }
