@@ -169,6 +169,22 @@ def test_a_belt_runs_back_below(lab):
     assert velocity[0] == pytest.approx(-1.0, abs=5e-3)
 
 
+# Pressure and shear on one wall: a disc between a floor and a piston whose surface runs at V rolls at V/2, and the piston
+# keeps its force. Its normal points down, so its surface runs to the left.
+def test_a_piston_presses_and_shears(lab):
+    piston = ("[[plane]]\nname = 'piston'\npoint = [0, 1]\nnormal = [0, -1]\nmotion = 'force'\nforce = [0, -5]\nmass = 20.0\n"
+              "drag = 20.0\nsurface_speed = 0.4\n")
+    floor = "[[plane]]\nname = 'floor'\npoint = [0, 0]\nnormal = [0, 1]\n"
+    out = lab.run(SOFT + piston + floor + grain(0, 0.5) + stop(10) + OUTPUT)
+    position, velocity, rim = one_grain(out)
+    assert velocity[0] == pytest.approx(-0.2, abs=2e-3) and abs(rim) == pytest.approx(0.2, abs=2e-3)
+    found = datasets(out / "run.h5")
+    force = found["/series/wall_force_y"][-50:, 0]  # of the grain on the piston
+    assert force == pytest.approx(5.0, abs=0.01)
+    scene = lab.scene(RIGID + piston + floor + grain(0, 0.5) + stop(1))
+    lab.refused("check", scene, parts=["plane[0].surface_speed", "not that of a piston"])
+
+
 # ---- global damping
 
 FLIGHT = "[method]\ntime_step = 0.001\n{}\n[box]\nfloor = -1000\n" + grain(0, 0)
