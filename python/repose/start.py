@@ -39,7 +39,7 @@ def one_line(error):
 
 
 def reason(error):
-    """What a user is told of a failure."""
+    """What a user reads of a failure."""
     if isinstance(error, ImportError):
         return f"repose: drawing needs the Python package {error.name}: {one_line(error)}"
     if isinstance(error, MemoryError):

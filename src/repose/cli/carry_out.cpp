@@ -20,8 +20,8 @@ int threads_for(const Scene& scene, int wanted) {
   constexpr std::int64_t least_for_a_thread = 10;
   const auto of_source = scene.source->released() + scene.source->placed();
   const auto grains = of_source + scene.start.moving + static_cast<std::int64_t>(scene.placed.size());
-  const auto share = wanted > 0 ? least_for_a_thread : worth_a_thread;
-  const auto useful = std::clamp<std::int64_t>(grains / share, 1, machine_threads());
+  const auto least = wanted > 0 ? least_for_a_thread : worth_a_thread;
+  const auto useful = std::clamp<std::int64_t>(grains / least, 1, machine_threads());
   return static_cast<int>(wanted > 0 ? std::min<std::int64_t>(wanted, useful) : useful);
 }
 

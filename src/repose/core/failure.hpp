@@ -7,7 +7,7 @@
 
 namespace repose {
 
-/// What a user is told of a failure: the text of an InputError or RunError, the system's reason, or one line that needs
+/// What a user reads of a failure: the text of an InputError or RunError, the system's reason, or one line that needs
 /// no knowledge of C++. Validated by tests/cli/test_hostile.py.
 std::string message_of(const std::exception& failure);
 
