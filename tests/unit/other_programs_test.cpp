@@ -105,7 +105,7 @@ TEST_F(OtherProgramsTest, ExtendedXyz) {
   EXPECT_EQ(file.grains[1].radius, 0.5);
   EXPECT_EQ(file.types, (Lines{"sand", "clay"}));
   EXPECT_EQ(file.grains[0].material, 1);
-  EXPECT_EQ(file.left_out, (Lines{"force"}));
+  EXPECT_EQ(file.left_out, (Lines{"vz", "force"}));
   ASSERT_TRUE(file.box);
   EXPECT_EQ(file.box->low[0], -10.0);
   EXPECT_EQ(file.box->high[0], 10.0);

@@ -12,7 +12,9 @@
 namespace repose {
 
 /// Overlap over the mean diameter beyond which two grains at the start are refused, unless both come from a run.
-inline constexpr double largest_overlap_at_start = 0.1;
+inline constexpr double largest_overlap_at_start = 0.25;
+/// Two grains of a file that overlap by more are warned of.
+inline constexpr double usual_overlap_at_start = 0.1;
 
 /// Refuses grains at the start that lie at one place or overlap deeply: of the file, placed, and of the base and the
 /// lattice. Each pair is named, with ids and lines of the file. Two fixed grains may overlap.

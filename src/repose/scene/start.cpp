@@ -140,9 +140,10 @@ std::optional<StartState> look_at_start(Scene& scene, Reader& reader, const std:
     check_grains(state, scene, reader);
     check_units(state, scene, reader);
     start.warnings = state.warnings;
-    add_warnings(state, scene, start.warnings);
+    const auto deepest = deepest_overlap(state, scene);
+    add_warnings(state, scene, deepest, start.warnings);
     for (auto& warning : start.warnings) warning = "start.from: " + warning;
-    start.description = describe_start(state, scene);
+    start.description = describe_start(state, scene, deepest);
     start.histories =
         !state.scene.empty() && keeps_contacts(start) && memory_of(state.scene, start.path) == memory_of(scene);
     check_room(state, scene, reader);

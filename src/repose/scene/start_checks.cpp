@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/scene/start_checks.hpp"
 
-#include "repose/scene/overlaps.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -69,7 +67,8 @@ void check_units(const StartState& state, const Scene& scene, Problems& problems
                                scene.start.from, scene.start.path, file_units, scene_units, si ? "reduced" : "SI"));
 }
 
-void add_warnings(const StartState& state, const Scene& scene, std::vector<std::string>& warnings) {
+void add_warnings(const StartState& state, const Scene& scene, const std::optional<DeepestOverlap>& deepest,
+                  std::vector<std::string>& warnings) {
   if (of_run(state) || state.grains.empty()) return;
   const auto warn = [&](const std::string& text) { warnings.push_back(text); };
   const double width = 2.0 * scene.box.half_width;
@@ -90,13 +89,15 @@ void add_warnings(const StartState& state, const Scene& scene, std::vector<std::
     if (box.sides[1] == "periodic") {
       warn("the file's box is periodic along its height: a scene has no such sides, so contacts through them are lost");
     }
-    const bool matters = periodic || scene.box.periodic();  // else nothing happens at the sides
-    if (matters && std::fabs(own - width) > 1e-6 * width) {
+    if (scene.box.periodic() && std::fabs(own - width) > 1e-6 * width) {
       warn(fmt::format("the file's box is {:.6g} wide, the scene's {:.6g}", own, width));
     }
     if (box.tilted) warn("the file's box is tilted, the scene's is not");
   } else if (scene.box.periodic() && x.high - x.low > width) {
     warn(fmt::format("the grains lie at x = {}, the periodic box is {:.6g} wide", ends_of(x), width));
+  }
+  if (deepest && deepest->relative > usual_overlap_at_start) {
+    warn(fmt::format("{} overlap by {:.3g} of their mean diameter", deepest->grains, deepest->relative));
   }
   constexpr double far = 30.0;
   const auto sizes = diameters(state);
@@ -120,7 +121,7 @@ void add_warnings(const StartState& state, const Scene& scene, std::vector<std::
   }
 }
 
-std::string describe_start(const StartState& state, const Scene& scene) {
+std::string describe_start(const StartState& state, const Scene& scene, const std::optional<DeepestOverlap>& deepest) {
   if (state.grains.empty()) return "";
   std::string text;
   const auto line = [&](const std::string& what) { text += fmt::format("                 {}\n", what); };
@@ -154,7 +155,6 @@ std::string describe_start(const StartState& state, const Scene& scene) {
   });
   line(fmt::format("diameters: {}; masses: {}, by the {}", extent_of(diameters(state)), extent_of(masses),
                    with_mass > 0 ? "file" : "scene"));
-  const auto deepest = deepest_overlap(state, scene);
   line(deepest ? fmt::format("deepest overlap: {:.3g} of the mean diameter, {}", deepest->relative, deepest->grains)
                : std::string("deepest overlap: none"));
   return text;

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "repose/io/start_file.hpp"
+#include "repose/scene/overlaps.hpp"
 #include "repose/scene/problems.hpp"
 #include "repose/scene/scene.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,10 +16,12 @@ namespace repose {
 /// Refuses a file whose units contradict those of the scene, unless start.scale relates them.
 void check_units(const StartState& state, const Scene& scene, Problems& problems);
 
-/// Adds what is suspicious in a file: sides and width of its box, sizes and masses far from those of the scene.
-void add_warnings(const StartState& state, const Scene& scene, std::vector<std::string>& warnings);
+/// Adds what is suspicious in a file: sides and width of its box, sizes and masses far from those of the scene,
+/// overlaps.
+void add_warnings(const StartState& state, const Scene& scene, const std::optional<DeepestOverlap>& deepest,
+                  std::vector<std::string>& warnings);
 
 /// What was read, for `repose check`: format, snapshot, columns, units, box, extent, sizes, masses, deepest overlap.
-std::string describe_start(const StartState& state, const Scene& scene);
+std::string describe_start(const StartState& state, const Scene& scene, const std::optional<DeepestOverlap>& deepest);
 
 }  // namespace repose
