@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reads a run folder; the format is described in docs/reference/run-folder.md."""
 
+import tomllib
 from dataclasses import dataclass, fields
 from pathlib import Path
 
@@ -65,6 +66,7 @@ class State:
     grains: Grains
     contacts: Contacts
     frame: "str | None" = None  # name of the saved frame; None: the last state of the run
+    axes: "object | None" = None  # of its pictures (CommonAxes), as of those of other states; None: its own
 
     def rows(self, ids):
         """Rows of the grains with these ids (any shape); RunFolderError for an id without a grain."""
@@ -80,6 +82,7 @@ class RunFolder:
 
     path: Path
     attributes: dict  # of run.h5: title, units, time [T], grain_diameter [L], grain_weight [M L/T^2], periodic ...
+    scene: dict  # tables and keys of the scene, complete; empty without
     state: State  # last state
     series: Table  # columns of /series, one row per observation; empty without
     base: "Table | None"  # forces on the base in grain weights; None without a row of base grains
@@ -96,6 +99,7 @@ class RunFolder:
         with opened(self.path / "run.h5") as file:
             self.attributes = attributes_of(file)
             check_format(self.path / "run.h5", self.attributes, "run", FORMAT_VERSION, NEEDED)
+            self.scene = tomllib.loads(values_of(file["scene"])[0]) if "scene" in file else {}
             self.state = _read_state(file)
             self.series = Table(file["series"]) if "series" in file else {}
             self.base, self.walls, self.energy = (

@@ -53,8 +53,8 @@ void check_folder_of(const std::string& file) {
 void check_picture(const std::string& file) {
   check_folder_of(file);
   const auto kind = std::filesystem::path{file}.extension();
-  if (kind != ".png" && kind != ".svg" && kind != ".pdf") {
-    throw InputError(fmt::format("{}: must end in .png, .svg or .pdf", file));
+  if (kind != ".png" && kind != ".svg" && kind != ".pdf" && kind != ".eps") {
+    throw InputError(fmt::format("{}: must end in .png, .svg, .pdf or .eps", file));
   }
 }
 
@@ -112,7 +112,7 @@ Verb theory_verb() {
                          .completes = Completion::files},
                         {.name = "--plot",
                          .value = "FILE",
-                         .about = "File to draw a picture to: .png, .svg or .pdf",
+                         .about = "File to draw a picture to: .png, .svg, .pdf or .eps",
                          .target = &options->plot,
                          .completes = Completion::files},
                         {.name = "--list", .about = "List models, parameters and sources", .target = &options->list}},
