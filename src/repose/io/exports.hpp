@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/boundaries/wall.hpp"
 #include "repose/core/box.hpp"
 #include "repose/core/contacts.hpp"
 #include "repose/core/ordered_grains.hpp"
@@ -39,7 +38,6 @@ struct WallLine {
   Vec<2> to{};
   std::int64_t number = 0;
 };
-WallLine line_of(const Wall<2>& wall, std::int64_t number, const Moment& moment);
 
 VtkPolyData walls_for_vtk(const std::vector<WallLine>& walls);
 

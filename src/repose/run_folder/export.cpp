@@ -90,6 +90,21 @@ Record read_states(const ExportOrder& order) {
   return last;
 }
 
+WallLine line_of(const Wall<2>& wall, std::int64_t number, const Moment& moment) {
+  const Vec<2> along{{wall.normal[1], -wall.normal[0]}};
+  if (wall.finite()) {
+    return {wall.point - along * wall.half_length, wall.point + along * wall.half_length, number};
+  }
+  // An endless wall is drawn beside the grains and a little beyond.
+  double first = 0.0, last = 0.0;
+  for (const auto& grain : moment.grains->line) {
+    const double place = dot(Vec<2>(grain.position - wall.point), along);
+    first = std::min(first, place - 2.0 * grain.radius);
+    last = std::max(last, place + 2.0 * grain.radius);
+  }
+  return {wall.point + along * first, wall.point + along * last, number};
+}
+
 /// The walls that stand, as lines.
 std::vector<WallLine> lines_of(const std::vector<RecordedWall>& walls, const Moment& moment) {
   std::vector<WallLine> lines;
