@@ -59,12 +59,15 @@ def parser():
     new.add_argument("folder", metavar="DIR", help="run folder or sweep folder")
     known = f"of a run: {','.join(RUN_PICTURES)}; of a sweep: {','.join(SWEEP_PICTURES)}"
     new.add_argument("--only", metavar="NAMES", help=known)
-    new.add_argument("--format", type=list_of(FORMATS), default=list(USUAL_FORMATS), metavar="KINDS", help=f"{','.join(FORMATS)} (default: {','.join(USUAL_FORMATS)})")
+    kinds = f"{','.join(FORMATS)} (default: {','.join(USUAL_FORMATS)})"
+    new.add_argument("--format", type=list_of(FORMATS), default=list(USUAL_FORMATS), metavar="KINDS", help=kinds)
     new.add_argument("--dpi", type=dots_per_inch, default=200, metavar="N", help="resolution of PNG (default: 200)")
     new.add_argument("--frame", type=frame_name, metavar="NNNNNN", help="a saved frame of a run, not its last state; all: every frame")
     axes = new.add_mutually_exclusive_group()
-    axes.add_argument("--same-axes", action="store_true", default=None, help="size, axes and scale of forces of all frames and the last state (default of frames)")
-    axes.add_argument("--own-axes", action="store_false", dest="same_axes", help="those of the state alone (default of the last state)")
+    same = "size, axes and scale of forces of all frames and the last state (default of frames)"
+    axes.add_argument("--same-axes", action="store_true", default=None, help=same)
+    own = "those of the state alone (default of the last state)"
+    axes.add_argument("--own-axes", action="store_false", dest="same_axes", help=own)
     return new
 
 
@@ -94,8 +97,9 @@ def _one(draw, run, state):
     return [draw(run, state)]
 
 
-def draw_pictures(folder, pictures, suffix, options):
-    """Prints a line for each file written and each picture left out. The second figure of a picture ends in -2."""
+def draw_pictures(folder, pictures, suffix, options, said):
+    """Prints a line for each file written and each picture left out, unless it is one of the lines `said`, to which it is
+    added. The second figure of a picture ends in -2."""
     place = folder.path / "pictures"
     place.mkdir(exist_ok=True)
     for name, draw in pictures.items():
@@ -103,7 +107,10 @@ def draw_pictures(folder, pictures, suffix, options):
             try:
                 figures = draw()
             except NotDrawn as reason:
-                say(f"{name}: not drawn: {reason}")
+                line = f"{name}: not drawn: {reason}"
+                if line not in said:
+                    say(line)
+                said.add(line)
                 continue
             for k, figure in enumerate(figures, 1):
                 for kind in options.format:
@@ -118,13 +125,14 @@ def main(arguments=None):
     options = command.parse_args(arguments)
     try:
         folder = repose.open(options.folder)
+        said = set()
         for suffix, pictures in pictures_of(folder, options):
             if options.only is not None:
                 try:
                     pictures = {name: pictures[name] for name in list_of(pictures)(options.only)}
                 except argparse.ArgumentTypeError as error:
                     command.error(f"argument --only: {error}")
-            draw_pictures(folder, pictures, suffix, options)
+            draw_pictures(folder, pictures, suffix, options, said)
     except repose.RunFolderError as error:
         complain(f"repose plot: {error}")
         return 2

@@ -99,7 +99,7 @@ class RunFolder:
         with opened(self.path / "run.h5") as file:
             self.attributes = attributes_of(file)
             check_format(self.path / "run.h5", self.attributes, "run", FORMAT_VERSION, NEEDED)
-            self.scene = tomllib.loads(values_of(file["scene"])[0]) if "scene" in file else {}
+            self.scene = tomllib.loads("".join(values_of(file["scene"]))) if "scene" in file else {}
             self.state = _read_state(file)
             self.series = Table(file["series"]) if "series" in file else {}
             self.base, self.walls, self.energy = (

@@ -34,7 +34,7 @@ class SweepFolder:
     parameters: "dict[str, np.ndarray]"  # (P) by key that varies; NaN where not a number or not set
     parameter_text: "dict[str, list[str]]"  # (P) the same as text, "" where not set
     measures: "dict[str, Table]"  # mean, error, deviation, count; newer also missing, low, high, bias: each (P)
-    key_comments: dict  # KeyComment by key of the scenes of finished members; empty without any
+    key_comments: dict  # KeyComment by key that varies, as far as scenes of members are there
     members: Table  # point, seed, status: each (K)
     values: "dict[str, np.ndarray]"  # measures by member (K)
     profiles: "list[Profile | None]"  # (P)
@@ -61,9 +61,22 @@ class SweepFolder:
     def _key_comments(self):
         known = {}
         for name in self.points:
+            if known.keys() >= self.parameters.keys():
+                break
             for path in sorted((self.path / "members" / name).glob("seed-*/scene.toml"))[:1]:
-                known |= key_comments(path.read_text(encoding="utf-8", errors="replace"))
+                known |= _comments_of(path, self.parameters)
         return known
+
+
+def _comments_of(path, keys):
+    """KeyComment of those of the keys that a scene has; none where it cannot be read, as labels do without."""
+    if not path.is_file():
+        return {}
+    try:
+        known = key_comments(path.read_text(encoding="utf-8", errors="replace"))
+    except OSError:
+        return {}
+    return {key: known[key] for key in keys if key in known}
 
 
 def _read_profile(file, point):

@@ -49,6 +49,11 @@ def sizes(folder, *options):
     return {path.stem: imread(path).shape[:2] for path in (folder / "pictures").iterdir()}
 
 
+def test_a_picture_that_no_frame_has_is_reported_once(folder, capsys):
+    assert main([str(folder), "--only", "base", "--frame", "all"]) == 0
+    assert capsys.readouterr().out == "base: not drawn: it shows the end of the run, not a frame\n"
+
+
 @pytest.mark.filterwarnings("error")
 def test_all_frames_have_one_size(folder):
     drawn = sizes(folder, "--frame", "all")
@@ -91,9 +96,9 @@ def test_a_line_of_one_width_is_one_force_in_all_frames(folder):
     legends = []
     for state in (run.frame(1), run.state):
         figure = RUN_PICTURES["forces"](run, replace(state, axes=axes))
-        handles = figure.legends[0].legend_handles if hasattr(figure.legends[0], "legend_handles") else figure.legends[0].legendHandles
-        texts = figure.legends[0].get_texts()
-        legends.append([(text.get_text(), line.get_linewidth()) for text, line in zip(texts, handles) if text.get_text()[-1].isdigit()])
+        (legend,) = figure.legends
+        pairs = zip(legend.get_texts(), legend.get_lines())
+        legends.append([(text.get_text(), line.get_linewidth()) for text, line in pairs if text.get_text()[-1].isdigit()])
     assert legends[0] == legends[1] and len(legends[0]) > 1
 
 

@@ -165,6 +165,16 @@ def test_draws_runs_with_positions_and_forces_that_are_nan(tmp_path):
     assert len(list((folder / "pictures").iterdir())) == len(RUN_PICTURES) - len(NO_WALLS | NO_PACKING | NO_THEORY)
 
 
+@pytest.mark.filterwarnings("error")
+def test_every_picture_of_many_grains_is_printed(tmp_path, monkeypatch, caplog):
+    folder = write_run(tmp_path / "run", **RUNS["heap"])
+    monkeypatch.setattr("repose.pictures.run.grain_panel.MOST_VECTOR_GRAINS", 50)
+    assert main([str(folder), "--format", ",".join(FORMATS), "--dpi", "50"]) == 0
+    assert not caplog.records
+    drawn = RUN_PICTURES.keys() - (NO_WALLS | NO_PACKING | NO_THEORY).keys()
+    assert len(list((folder / "pictures").iterdir())) == len(FORMATS) * len(drawn)
+
+
 def test_many_grains_become_pixels_in_svg(tmp_path, monkeypatch):
     folder = write_run(tmp_path / "run", **RUNS["heap"])
     monkeypatch.setattr("repose.pictures.run.grain_panel.MOST_VECTOR_GRAINS", 50)

@@ -221,7 +221,7 @@ def test_force_distribution_begins_at_the_threshold(folder):
     axes = drawn(folder, "force_distribution")[1].axes[0]
     guide = axes.get_lines()[0]
     assert guide.get_xdata()[0] == pytest.approx(0.08)
-    assert legend_of(axes)[:2] == ["exponential of the same mean above the threshold", "least force that counts"]
+    assert legend_of(axes)[:2] == ["exponential of the same mean above the threshold", "force threshold"]
     f = np.linspace(0.08, 40.0, 400001)
     density = exponential(f, 0.08)
     np.testing.assert_allclose(guide.get_ydata(), exponential(guide.get_xdata(), 0.08))

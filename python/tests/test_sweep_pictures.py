@@ -4,6 +4,7 @@
 
 import json
 import os
+import shutil
 import subprocess
 
 import h5py
@@ -127,6 +128,12 @@ def test_comments_are_those_that_the_program_writes(tmp_path):
     comments = key_comments(scene.read_text())
     assert comments["contact.friction"].unit == "" and comments["contact.friction"].meaning
     assert comments["method.time_step"].unit == "T" and comments["base.spacing"].meaning
+
+
+def test_labels_do_without_scenes(tmp_path):
+    folder = write_sweep(tmp_path / "sweep", **METHODS)
+    shutil.rmtree(folder / "members")
+    assert draw(repose.open(folder), "angle")[0].axes[0].get_xlabel() == "critical angle"
 
 
 def test_profiles_without_a_force_are_left_out(tmp_path):

@@ -51,6 +51,17 @@ def test_reading_and_predicting_need_no_matplotlib(module):
     assert subprocess.run([sys.executable, "-c", code], env=environment, check=False).returncode == 0
 
 
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("kind", ["pdf", "eps"])
+@pytest.mark.parametrize("model", [name for name in theory.models() if name != "janssen-fit"])
+def test_every_model_is_printed(tmp_path, caplog, model, kind):
+    """Matplotlib logs a warning where EPS would need transparency, which it lacks."""
+    picture = tmp_path / f"model.{kind}"
+    status = draw_theory.main([model, "--plot", str(picture)])
+    assert status == 0 and picture.stat().st_size > 1000
+    assert not caplog.records
+
+
 def test_draws_a_model_into_a_file(tmp_path, capsys):
     picture = tmp_path / "pile.png"
     assert draw_theory.main(["pile-continuum", "--set", "slope_deg=20", "--plot", str(picture), "--dpi", "50"]) == 0

@@ -66,7 +66,8 @@ def draw_force_range(axes, allowed):
         return
     most = np.where(np.isnan(allowed["max"]), 1e6, allowed["max"])
     top = np.nanmax([axes.get_ylim()[1], 1.05 * np.nanmax(allowed["max"], initial=0.0)])
-    axes.fill_between(allowed["x"], allowed["min"], most, color=style.pale(style.GREY, 0.22), linewidth=0, zorder=0.5, label="equilibrium allows")
+    drawing = dict(color=style.pale(style.GREY, 0.22), linewidth=0, zorder=0.5, label="equilibrium allows")
+    axes.fill_between(allowed["x"], allowed["min"], most, **drawing)
     axes.set_ylim(axes.get_ylim()[0], top)
 
 

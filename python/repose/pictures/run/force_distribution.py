@@ -28,7 +28,7 @@ def draw(run, state):
     label = "exponential of the same mean" + (" above the threshold" if least > 0.0 else "")
     axes.plot(guide, exponential(guide, least), color=style.GREY, linewidth=0.9, linestyle="--", label=label)
     if least > 0.0:
-        axes.axvline(least, color=style.GREY, linewidth=0.6, linestyle=":", label="least force that counts")
+        axes.axvline(least, color=style.GREY, linewidth=0.6, linestyle=":", label="force threshold")
     axes.errorbar(
         f, density, yerr=error, fmt="o", color=style.BLUE, markersize=3, elinewidth=0.8, label="normal forces"
     )

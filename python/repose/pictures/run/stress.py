@@ -77,7 +77,8 @@ def edges(centres, cell):
 def field_map(panel, table, values, colours, norm):
     cell = table.attributes["cell"]
     x, y = (edges(table[name], cell) for name in ("x", "y"))
-    return panel.axes.pcolormesh(x, y, values, cmap=colours, norm=norm, rasterized=True, zorder=0.4)
+    itself = panel.axes.get_rasterization_zorder() is None  # else the axes do, and Matplotlib cannot do it twice
+    return panel.axes.pcolormesh(x, y, values, cmap=colours, norm=norm, rasterized=itself, zorder=0.4)
 
 
 def _bars(table, panel, chosen, anisotropy, angle):
