@@ -36,8 +36,8 @@ __all__ = [
 def open(path):
     """The folder at `path` as a RunFolder or a SweepFolder; RunFolderError, one line, if it is neither or damaged."""
     folder = Path(path)
-    if (folder / "sweep.h5").is_file():
+    if (folder / "sweep.h5").exists():
         return SweepFolder(folder)
-    if folder.is_dir() and not (folder / "run.h5").is_file():
+    if folder.is_dir() and not (folder / "run.h5").exists():
         raise RunFolderError(f"{path}: no run.h5 or sweep.h5 in this folder")
     return RunFolder(folder)

@@ -6,15 +6,14 @@ import argparse
 import sys
 from pathlib import Path
 
-import matplotlib
-
 from repose import style, theory
+from repose.errors import complain
 from repose.pictures.models import draw_model
 
 
 def _draw(options):
     prediction = theory.predict(options.model, **dict(setting.split("=", 1) for setting in options.set))
-    with matplotlib.rc_context(style.RC):
+    with style.context():
         figure = draw_model(prediction)
         style.save(figure, options.plot, Path(options.plot).suffix[1:], options.dpi, prediction.model.about)
 
@@ -30,10 +29,12 @@ def main(arguments=None):
     try:
         _draw(options)
     except theory.InputError as error:
-        print(error, file=sys.stderr)
+        complain(error)
         return 2
+    except KeyboardInterrupt:
+        return 130
     except OSError as error:
-        print(f"repose theory: {error.filename or options.plot}: cannot be written: {error.strerror}", file=sys.stderr)
+        complain(f"repose theory: {error.filename or options.plot}: cannot be written: {error.strerror}")
         return 2
     return 0
 

@@ -32,8 +32,19 @@ class Table(dict):
             raise KeyError(f"no dataset {', '.join(missing)}")
 
 
+MOST_COMPRESSION = 1100  # no byte of a deflated stream holds more
+
+
+def check_size(dataset):
+    """RunFolderError if a dataset claims to be larger than what is stored of it can be: before memory is asked for."""
+    content = dataset.id.get_storage_size() * (1 if dataset.chunks is None else MOST_COMPRESSION)
+    if dataset.size * dataset.dtype.itemsize > content:
+        raise RunFolderError(f"{dataset.file.filename}: {dataset.name}: is larger than its content: damaged")
+
+
 def values_of(dataset):
     """The array of a dataset, or a list of str."""
+    check_size(dataset)
     if h5py.check_string_dtype(dataset.dtype):
         return dataset.asstr()[()].tolist()
     return dataset[()]
@@ -86,6 +97,8 @@ def check_seal(path):
 @contextmanager
 def opened(path):
     """An HDF5 file; errors of h5py and missing or damaged parts become a RunFolderError."""
+    if path.exists() and not path.is_file():
+        raise RunFolderError(f"{path}: is no regular file")
     if not path.is_file():
         raise RunFolderError(f"{path.parent}: no {path.name} in this folder")
     try:
@@ -98,5 +111,7 @@ def opened(path):
             yield file
         except RunFolderError:
             raise
-        except (AttributeError, KeyError, OSError, TypeError, ValueError) as error:
+        except MemoryError as error:
+            raise RunFolderError(f"{path}: does not fit into memory") from error
+        except (AttributeError, KeyError, OSError, RuntimeError, TypeError, ValueError) as error:
             raise RunFolderError(f"{path}: does not follow the format: {one_line(error)}") from error

@@ -4,17 +4,18 @@
 
 import argparse
 import sys
+from dataclasses import replace
 from functools import partial
-
-import matplotlib
 
 import repose
 from repose import style
-from repose.errors import NotDrawn
+from repose.errors import NotDrawn, complain, say
 from repose.pictures.run import RUN_PICTURES
+from repose.pictures.run.common_axes import common_axes
 from repose.pictures.sweep import SWEEP_PICTURES
 
-FORMATS = ("png", "svg")
+FORMATS = ("png", "svg", "pdf", "eps")
+USUAL_FORMATS = ("png", "svg")
 
 
 class Parser(argparse.ArgumentParser):
@@ -45,8 +46,8 @@ def dots_per_inch(text):
 
 
 def frame_name(text):
-    """Reads the number of a frame."""
-    if not text.isdigit():
+    """Reads the number of a frame, or "all"."""
+    if not text.isdigit() and text != "all":
         raise argparse.ArgumentTypeError(f"'{text}' is not the number of a frame")
     return text
 
@@ -58,21 +59,39 @@ def parser():
     new.add_argument("folder", metavar="DIR", help="run folder or sweep folder")
     known = f"of a run: {','.join(RUN_PICTURES)}; of a sweep: {','.join(SWEEP_PICTURES)}"
     new.add_argument("--only", metavar="NAMES", help=known)
-    new.add_argument("--format", type=list_of(FORMATS), default=list(FORMATS), metavar="KINDS", help="png,svg")
+    new.add_argument("--format", type=list_of(FORMATS), default=list(USUAL_FORMATS), metavar="KINDS", help=f"{','.join(FORMATS)} (default: {','.join(USUAL_FORMATS)})")
     new.add_argument("--dpi", type=dots_per_inch, default=200, metavar="N", help="resolution of PNG (default: 200)")
-    new.add_argument("--frame", type=frame_name, metavar="NNNNNN", help="a saved frame of a run, not its last state")
+    new.add_argument("--frame", type=frame_name, metavar="NNNNNN", help="a saved frame of a run, not its last state; all: every frame")
+    axes = new.add_mutually_exclusive_group()
+    axes.add_argument("--same-axes", action="store_true", default=None, help="size, axes and scale of forces of all frames and the last state (default of frames)")
+    axes.add_argument("--own-axes", action="store_false", dest="same_axes", help="those of the state alone (default of the last state)")
     return new
 
 
-def pictures_of(folder, frame):
-    """By name, functions without arguments that return lists of figures; and the suffix of the file names."""
+def states_of(run, frame, same_axes):
+    """The states of a run to draw, each with its axes."""
+    axes = common_axes(run) if (same_axes is None and frame) or same_axes else None
+    if frame is None:
+        return [replace(run.state, axes=axes)]
+    if frame == "all" and not run.frames:
+        raise repose.RunFolderError(f"{run.path}: no frame was saved (output.frames)")
+    return (replace(run.frame(name), axes=axes) for name in (run.frames if frame == "all" else [frame]))
+
+
+def pictures_of(folder, options):
+    """Pairs of a suffix of file names and, by name, functions without arguments that return lists of figures."""
     if isinstance(folder, repose.SweepFolder):
-        if frame:
+        if options.frame or options.same_axes is not None:
             raise repose.RunFolderError(f"{folder.path}: a sweep has no frames")
-        return {name: partial(draw, folder) for name, draw in SWEEP_PICTURES.items()}, ""
-    state = folder.frame(frame) if frame else folder.state
-    suffix = f"-{state.frame}" if state.frame else ""
-    return {name: lambda draw=draw: [draw(folder, state)] for name, draw in RUN_PICTURES.items()}, suffix
+        yield "", {name: partial(draw, folder) for name, draw in SWEEP_PICTURES.items()}
+        return
+    for state in states_of(folder, options.frame, options.same_axes):
+        suffix = f"-{state.frame}" if state.frame else ""
+        yield suffix, {name: partial(_one, draw, folder, state) for name, draw in RUN_PICTURES.items()}
+
+
+def _one(draw, run, state):
+    return [draw(run, state)]
 
 
 def draw_pictures(folder, pictures, suffix, options):
@@ -80,17 +99,17 @@ def draw_pictures(folder, pictures, suffix, options):
     place = folder.path / "pictures"
     place.mkdir(exist_ok=True)
     for name, draw in pictures.items():
-        with matplotlib.rc_context(style.RC):
+        with style.context():
             try:
                 figures = draw()
             except NotDrawn as reason:
-                print(f"{name}: not drawn: {reason}")
+                say(f"{name}: not drawn: {reason}")
                 continue
             for k, figure in enumerate(figures, 1):
                 for kind in options.format:
                     path = place / f"{name}{suffix}{f'-{k}' if k > 1 else ''}.{kind}"
                     style.save(figure, path, kind, options.dpi, folder.attributes["title"])
-                    print(path)
+                    say(path)
 
 
 def main(arguments=None):
@@ -99,18 +118,20 @@ def main(arguments=None):
     options = command.parse_args(arguments)
     try:
         folder = repose.open(options.folder)
-        pictures, suffix = pictures_of(folder, options.frame)
-        if options.only is not None:
-            try:
-                pictures = {name: pictures[name] for name in list_of(pictures)(options.only)}
-            except argparse.ArgumentTypeError as error:
-                command.error(f"argument --only: {error}")
-        draw_pictures(folder, pictures, suffix, options)
+        for suffix, pictures in pictures_of(folder, options):
+            if options.only is not None:
+                try:
+                    pictures = {name: pictures[name] for name in list_of(pictures)(options.only)}
+                except argparse.ArgumentTypeError as error:
+                    command.error(f"argument --only: {error}")
+            draw_pictures(folder, pictures, suffix, options)
     except repose.RunFolderError as error:
-        print(f"repose plot: {error}", file=sys.stderr)
+        complain(f"repose plot: {error}")
         return 2
+    except KeyboardInterrupt:
+        return 130
     except OSError as error:
-        print(f"repose plot: {error.filename or options.folder}: cannot be written: {error.strerror}", file=sys.stderr)
+        complain(f"repose plot: {error.filename or options.folder}: cannot be written: {error.strerror}")
         return 2
     return 0
 

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reads a run folder; the format is described in docs/reference/run-folder.md."""
 
+import tomllib
 from dataclasses import dataclass, fields
 from pathlib import Path
 
@@ -9,7 +10,7 @@ import numpy as np
 
 from repose.analysis import Analysis
 from repose.errors import RunFolderError
-from repose.hdf5 import Table, attributes_of, check_format, opened
+from repose.hdf5 import Table, attributes_of, check_format, opened, values_of
 from repose.summary import read_summary
 
 FORMAT_VERSION = 4
@@ -65,6 +66,7 @@ class State:
     grains: Grains
     contacts: Contacts
     frame: "str | None" = None  # name of the saved frame; None: the last state of the run
+    axes: "object | None" = None  # of its pictures (CommonAxes), as of those of other states; None: its own
 
     def rows(self, ids):
         """Rows of the grains with these ids (any shape); RunFolderError for an id without a grain."""
@@ -80,6 +82,7 @@ class RunFolder:
 
     path: Path
     attributes: dict  # of run.h5: title, units, time [T], grain_diameter [L], grain_weight [M L/T^2], periodic ...
+    scene: dict  # tables and keys of the scene, complete; empty without
     state: State  # last state
     series: Table  # columns of /series, one row per observation; empty without
     base: "Table | None"  # forces on the base in grain weights; None without a row of base grains
@@ -96,13 +99,14 @@ class RunFolder:
         with opened(self.path / "run.h5") as file:
             self.attributes = attributes_of(file)
             check_format(self.path / "run.h5", self.attributes, "run", FORMAT_VERSION, NEEDED)
+            self.scene = tomllib.loads(values_of(file["scene"])[0]) if "scene" in file else {}
             self.state = _read_state(file)
             self.series = Table(file["series"]) if "series" in file else {}
             self.base, self.walls, self.energy = (
                 Table(file[name]) if name in file else None for name in ("base", "walls", "energy")
             )
             self.frames = sorted(file["frames"]) if "frames" in file else []
-        self.analysis = _read_analysis(self.path / "analysis.h5", self.state)
+        self.analysis = _read_analysis(self.path / "analysis.h5", self.state, self.attributes)
         self.summary = read_summary(self.path / "summary.json")
 
     @property
@@ -116,7 +120,9 @@ class RunFolder:
         if name not in self.frames:
             saved = f"{self.frames[0]} to {self.frames[-1]}" if self.frames else "none"
             raise RunFolderError(f"{self.path}: no frame {name} (saved: {saved})")
-        with opened(self.path / "frames" / f"{name}.h5") as file:
+        path = self.path / "frames" / f"{name}.h5"
+        with opened(path) as file:
+            _check_belongs(path, attributes_of(file), self.attributes)
             return _read_state(file, name)
 
 
@@ -125,7 +131,7 @@ def _read_arrays(kind, group):
     they are 0 then."""
     none = np.zeros(len(group["overlap"])) if "overlap" in group else None
     arrays = {
-        field.name: none if none is not None and field.name in FORCES and field.name not in group else group[field.name][()]
+        field.name: none if none is not None and field.name in FORCES and field.name not in group else values_of(group[field.name])
         for field in fields(kind)
     }
     for name in {"fixed", "base", "sliding"} & arrays.keys():
@@ -144,11 +150,20 @@ def _read_state(file, frame=None):
     )
 
 
-def _read_analysis(path, state):
+def _check_belongs(path, attributes, run):
+    """RunFolderError if a file of the folder belongs to another run than its run.h5."""
+    if attributes.get("scene_hash", "") not in ("", run.get("scene_hash", "")):
+        raise RunFolderError(f"{path}: belongs to another run than the run.h5 of this folder")
+
+
+def _read_analysis(path, state, run):
     """None without a file, or with one of an earlier state: a running simulation writes run.h5 before analysis.h5."""
     if not path.is_file():
         return None
     analysis = Analysis(path)
+    _check_belongs(path, analysis.attributes, run)
+    if analysis.attributes.get("state_hash", "") not in ("", run.get("state_hash", "")):
+        return None
     chains = analysis["chains"]
     same_contacts = chains is None or len(chains["chain"]) == len(state.contacts)
     return analysis if analysis.attributes["time"] == state.time and same_contacts else None

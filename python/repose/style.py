@@ -2,13 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One style for all pictures: restrained, colour-blind safe (Okabe and Ito), small in vector formats."""
 
+import io
 import os
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
+import matplotlib
 import numpy as np
 from matplotlib import colormaps
-from matplotlib.colors import ListedColormap
+from matplotlib.colors import ListedColormap, to_hex, to_rgb
 
 INK = "#1a1a1a"
 GREY = "#6b6b6b"
@@ -19,11 +22,13 @@ PURPLE = "#aa3377"
 GREEN = "#009e73"
 SKY = "#56b4e9"
 AMBER = "#e69f00"
+BROWN = "#8c510a"
 SERIES = (BLUE, ORANGE, GREEN, PURPLE, SKY, AMBER)  # of series in one picture
 MARKERS = ("o", "s", "^", "D", "v", "P")
 
 GRAIN = "#a9c4dc"  # moving grains
 GRAIN_EDGE = "#34506b"
+SPECIES = (GRAIN, "#f2d27a", "#8fcbb0", "#7d8794", "#c993bb", "#e8b08c")  # of moving grains; the first of most runs
 HELD = "#4d4d4d"  # base and other fixed grains
 
 NEIGHBOURS = ("#ece7f2", "#fee391", "#fdae61", "#a6d96a", "#66c2a5", "#4393c3", "#2d3f8c")  # 0, 1, ... 6 or more
@@ -59,8 +64,24 @@ RC = {
     "legend.borderaxespad": 0.0,
     "legend.borderpad": 0.0,
     "lines.linewidth": 1.0,
+    "pdf.fonttype": 42,  # journals take no fonts of type 3
+    "ps.fonttype": 42,
     "svg.hashsalt": "repose",  # the same figure gives the same file
 }
+
+
+def pale(colour, strength):
+    """A colour mixed with white. It stands for transparency, which EPS lacks, and is the same in every format."""
+    return to_hex(1.0 - strength * (1.0 - np.array(to_rgb(colour))))
+
+
+@contextmanager
+def context():
+    """The settings of all pictures. Those of a user's matplotlibrc do not count: a picture is the same everywhere."""
+    with matplotlib.rc_context():
+        matplotlib.rcdefaults()
+        matplotlib.rcParams.update(RC)
+        yield
 
 
 @dataclass(frozen=True)
@@ -130,14 +151,34 @@ def caption(figure, text):
 
 
 def save(figure, path, kind, dpi, title):
-    """Writes a picture under a temporary name and renames it, so that no file is ever incomplete."""
-    metadata = {"Title": title}
-    if kind != "png":
-        metadata["Date" if kind == "svg" else "CreationDate"] = None  # the same figure gives the same file
+    """Writes a picture under a temporary name and renames it, so that no file is ever incomplete. Follows links, and
+    writes straight into what is no regular file."""
+    picture = _drawn(figure, kind, dpi, title)
     path = Path(path)
+    if path.exists() and not path.is_file():
+        path.write_bytes(picture)
+        return
+    path = Path(os.path.realpath(path))
     temporary = path.with_name(f".{path.name}.{os.getpid()}")
     try:
-        figure.savefig(temporary, format=kind, dpi=dpi, metadata=metadata)
+        temporary.write_bytes(picture)
         os.replace(temporary, path)
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def _drawn(figure, kind, dpi, title):
+    """The bytes of a picture. The same figure gives the same bytes: no format has the date."""
+    dates = {"svg": {"Date": None}, "pdf": {"CreationDate": None}, "eps": {"Creator": "Repose"}}
+    metadata = {"Title": title} if kind != "eps" else {}
+    picture = io.BytesIO()
+    before = os.environ.get("SOURCE_DATE_EPOCH")
+    os.environ["SOURCE_DATE_EPOCH"] = "0"  # Matplotlib takes the date of EPS from it
+    try:
+        figure.savefig(picture, format=kind, dpi=dpi, metadata=metadata | dates.get(kind, {}))
+    finally:
+        if before is None:
+            del os.environ["SOURCE_DATE_EPOCH"]
+        else:
+            os.environ["SOURCE_DATE_EPOCH"] = before
+    return picture.getvalue()

@@ -8,6 +8,7 @@ import numpy as np
 
 from repose.errors import RunFolderError
 from repose.hdf5 import Table, attributes_of, check_format, opened
+from repose.scene_comments import key_comments
 from repose.summary import read_summary
 
 FORMAT_VERSION = 1
@@ -33,6 +34,7 @@ class SweepFolder:
     parameters: "dict[str, np.ndarray]"  # (P) by key that varies; NaN where not a number or not set
     parameter_text: "dict[str, list[str]]"  # (P) the same as text, "" where not set
     measures: "dict[str, Table]"  # mean, error, deviation, count; newer also missing, low, high, bias: each (P)
+    key_comments: dict  # KeyComment by key of the scenes of finished members; empty without any
     members: Table  # point, seed, status: each (K)
     values: "dict[str, np.ndarray]"  # measures by member (K)
     profiles: "list[Profile | None]"  # (P)
@@ -54,6 +56,14 @@ class SweepFolder:
             self.members = Table(file["members"], "point seed status")
             self.profiles = [_read_profile(file, k) for k in range(len(self.points))]
         self.summary = read_summary(self.path / "summary.json")
+        self.key_comments = self._key_comments()
+
+    def _key_comments(self):
+        known = {}
+        for name in self.points:
+            for path in sorted((self.path / "members" / name).glob("seed-*/scene.toml"))[:1]:
+                known |= key_comments(path.read_text(encoding="utf-8", errors="replace"))
+        return known
 
 
 def _read_profile(file, point):

@@ -21,6 +21,21 @@ SCENES = dict(
     parameters={"base.spacing": [1.0, 1.1, 1.2] * 2},
 )  # the scenes of the points differ by more than the parameters
 NAMED = dict(names=["continuous", "a_rather_long_name_of_a_point", "hooke"], parameters={"law": ["a", "b", None]})
+SCENE = """gravity = 1.0  # [L/T^2] gravity, along -y
+
+[contact]
+friction = 0.5  # Coulomb coefficient mu
+
+[contact.normal]
+law = "hooke"  # normal force: continuous, hooke
+stiffness = 10000.0  # [M/T^2] spring constant k
+
+[method]
+critical_angle = 50.0  # [deg] a disc sticks where its contact is less than this off upright: 0 steepest descent
+
+[base]
+spacing = 1.0  # [diameters] between neighbours; 1: they touch
+"""  # as the program comments the scene of a member
 METHODS = dict(
     names=[f"{name}_critical_angle={angle}" for name in ("deposition", "contact-dynamics") for angle in (0, 50, 90)],
     parameters={"method.critical_angle": [0, 50, 90] * 2, "method.tolerance": [None] * 3 + [1e-3] * 3},
@@ -31,7 +46,11 @@ def write_sweep(folder, names, parameters=None, members=4, keys=KEYS, profiles=T
     """Writes a sweep folder. `parameters`: values of the points by key, None where not set. The measure of point p and
     seed s is OFFSET + p / 10 + (s - mean seed) / 100. The last point has one member, so no error."""
     parameters = parameters or {}
-    folder.mkdir(parents=True)
+    for name in names[: members and len(names)]:
+        place = folder / "members" / name / "seed-1"
+        place.mkdir(parents=True)
+        (place / "scene.toml").write_text(SCENE)
+    folder.mkdir(parents=True, exist_ok=True)
     with h5py.File(folder / "sweep.h5", "w") as file:
         text = {"format": "repose-sweep", "repose_version": "0.1.0", "title": "A synthetic <sweep>", "units": units}
         file.attrs.update({name: np.bytes_(value.encode()) for name, value in text.items()})

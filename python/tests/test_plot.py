@@ -16,7 +16,7 @@ from synthetic import base_row, pyramid, write_run
 
 import repose
 from repose.pictures.run import RUN_PICTURES, heap
-from repose.plot import main
+from repose.plot import FORMATS, main
 
 BED = np.concatenate([base_row(10, 0.5) + [0.5 * row, row * np.sqrt(3.0) / 2.0] for row in range(1, 6)])
 FLYING = np.column_stack([np.linspace(-3.0, 3.0, 6), np.linspace(60.0, 90.0, 6)])
@@ -116,6 +116,22 @@ def test_draws_every_picture_with_data(tmp_path, capsys, kind):
             assert ElementTree.parse(path).getroot().tag.endswith("svg")
 
 
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("kind", ["heap", "floor", "periodic"])
+def test_every_picture_is_printed(tmp_path, caplog, kind):
+    """PDF and EPS of all pictures; Matplotlib logs a warning where EPS would need transparency, which it lacks."""
+    folder = write_run(tmp_path / "run", **RUNS[kind])
+    assert main([str(folder), "--format", "pdf,eps"]) == 0
+    assert not caplog.records
+    heads = {"pdf": b"%PDF-1.4", "eps": b"%!PS-Adobe-3.0 EPSF-3.0"}
+    files = sorted((folder / "pictures").iterdir())
+    assert len(files) > 20
+    for path in files:
+        content = path.read_bytes()
+        assert content.startswith(heads[path.suffix[1:]])
+        assert path.suffix == ".eps" or b"/Type3" not in content
+
+
 def test_angle_of_a_flank_is_in_the_legend(tmp_path):
     """The slope is the square root of 3 on the left and undefined on the right."""
     run = repose.open(write_run(tmp_path / "run", **RUNS["heap"]))
@@ -131,10 +147,11 @@ def test_frame_and_choice(tmp_path, capsys):
 
 
 def test_same_run_same_files(tmp_path):
+    """In every format."""
     folder = write_run(tmp_path / "run", **RUNS["heap"])
     contents = []
     for _ in range(2):
-        assert main([str(folder), "--only", "forces", "--dpi", "50"]) == 0
+        assert main([str(folder), "--only", "forces", "--dpi", "50", "--format", ",".join(FORMATS)]) == 0
         contents.append([path.read_bytes() for path in sorted((folder / "pictures").iterdir())])
     assert contents[0] == contents[1]
 
@@ -160,10 +177,11 @@ def test_many_grains_become_pixels_in_svg(tmp_path, monkeypatch):
     [
         (["--only", "heap,foo"], f"unknown name 'foo', choose from {', '.join(RUN_PICTURES)}"),
         (["--only", "profiles"], f"unknown name 'profiles', choose from {', '.join(RUN_PICTURES)}"),
-        (["--format", "pdf"], "unknown name 'pdf', choose from png, svg"),
+        (["--format", "gif"], "unknown name 'gif', choose from png, svg, pdf, eps"),
         (["--dpi", "many"], "'many' is not a whole number"),
         (["--frame", "last"], "'last' is not the number of a frame"),
         (["--frame", "9"], "no frame 000009 (saved: 000000 to 000000)"),
+        (["--same-axes", "--own-axes"], "not allowed with argument"),
         (["--nonsense"], "unrecognized arguments"),
     ],
 )

@@ -16,10 +16,12 @@ from synthetic_analysis import BIN, write_group
 import repose
 from repose import style
 from repose.pictures.run import RUN_PICTURES
+from repose.pictures.run.force_distribution import exponential
 from repose.pictures.run.shapes import wall_places
 from repose.pictures.run.stress import LEGEND_VALUE, LONGEST, principal
 
 HEAP = dict(moving=pyramid(12), base=base_row(20))
+BAND = "mean over 3 σ; band: ± scatter of its grains / √n"
 
 
 @pytest.fixture
@@ -59,8 +61,9 @@ def test_base_shows_the_bins_in_their_band(folder):
         some = np.isfinite(bins["normal_error"])
         assert band[:, 0].min() == bins["x"][some].min()
         np.testing.assert_allclose(band[:, 1].max(), (bins[name] + bins[f"{name}_error"])[some].max())
-    assert legend_of(figure) == ["base grain", "mean over 3 σ ± standard error"]
+    assert legend_of(figure) == ["base grain", BAND]
     assert "dip index 1.04" in figure.texts[0].get_text()
+    assert "the band is no error of the profile" in figure.texts[0].get_text()
     assert upper.get_ylabel() == "normal force\n(grain weights)"
 
 
@@ -72,7 +75,7 @@ def test_base_shows_what_equilibrium_allows(folder):
         write_group(file.create_group("force_range"), {"x": x, "min": least, "max": most}, bin_width=3.0)
     _, figure = drawn(folder, "base")
     upper, lower = figure.axes
-    assert legend_of(figure) == ["base grain", "mean over 3 σ ± standard error", "equilibrium allows"]
+    assert legend_of(figure) == ["base grain", BAND, "equilibrium allows"]
     band = of_kind(upper, PolyCollection)[1].get_paths()[0].vertices
     assert len(of_kind(lower, PolyCollection)) == 1
     for place, height in zip([*x, *x], [*least, *np.where(np.isnan(most), 1e6, most)]):
@@ -206,16 +209,42 @@ def test_force_distribution_shows_density_errors_and_the_exponential(folder):
     np.testing.assert_allclose(points.get_xydata(), np.column_stack([forces["f"], forces["density"]])[some])
     bars = np.array(of_kind(axes, LineCollection)[0].get_segments())
     np.testing.assert_allclose(bars[:, 1, 1] - bars[:, 0, 1], 2.0 * forces["error"][some])
-    assert legend_of(axes) == ["exp(−f)", "normal forces"]
+    assert legend_of(axes) == ["exponential of the same mean", "normal forces"]
     assert axes.get_ylabel() == "probability density P(f)"
-    assert figure.texts[0].get_text() == "mean 2.5 grain weights; 40.0 % above the mean; 5.0 % sliding"
+    assert figure.texts[0].get_text() == "bars: √(count); mean 2.5 grain weights; 40.0 % above the mean; 5.0 % sliding"
+
+
+def test_force_distribution_begins_at_the_threshold(folder):
+    """The exponential beside it has the same mean and no force below the threshold either."""
+    with h5py.File(folder / "analysis.h5", "a") as file:
+        file["forces/f"][()] = file["forces/f"][()] + 0.08
+    axes = drawn(folder, "force_distribution")[1].axes[0]
+    guide = axes.get_lines()[0]
+    assert guide.get_xdata()[0] == pytest.approx(0.08)
+    assert legend_of(axes)[:2] == ["exponential of the same mean above the threshold", "least force that counts"]
+    f = np.linspace(0.08, 40.0, 400001)
+    density = exponential(f, 0.08)
+    np.testing.assert_allclose(guide.get_ydata(), exponential(guide.get_xdata(), 0.08))
+    assert [np.trapz(density, f), np.trapz(f * density, f)] == pytest.approx([1.0, 1.0], abs=1e-5)
+
+
+def test_density_shows_the_solid_fraction_and_says_what_the_lines_are(folder):
+    run, figure = drawn(folder, "density")
+    fields = run.analysis["fields"]
+    shown = of_kind(figure.axes[0], QuadMesh)[0].get_array()
+    np.testing.assert_allclose(shown.compressed(), fields["solid_fraction"][fields["solid_fraction"] > 0.2])
+    assert "solid fraction, Gaussian of width 1.5 σ" in [text.get_text() for text in figure.texts]
+    assert legend_of(figure) == ["pair in contact; lines are sparse where the packing is loose"]
+    (folder / "analysis.h5").unlink()
+    _, figure = drawn(folder, "density")
+    assert not of_kind(figure.axes[0], QuadMesh) and len(figure.axes) == 1
 
 
 def test_chains_draw_the_contacts_of_each_in_its_colour(folder):
     run, figure = drawn(folder, "chains")
     field, histogram = figure.axes
     chains = run.analysis["chains"]
-    own = 4  # colours fit into the legend of this narrow figure
+    own = 3  # colours fit into the legend of this narrow figure
     loaded = chains["chain"][run.state.contacts.normal_force > 0.0]
     lines = {}
     for part in of_kind(field, PathCollection):
@@ -225,7 +254,8 @@ def test_chains_draw_the_contacts_of_each_in_its_colour(folder):
             lines[colour] = lines.get(colour, 0) + count
     expected = {style.SERIES[k]: np.count_nonzero(loaded == k) for k in range(own)}
     assert lines == {**expected, style.GREY: np.count_nonzero(loaded >= own)}
-    assert legend_of(figure) == [*(str(size) for size in chains["contacts"][:own]), "4 others"]
+    assert legend_of(figure) == [*(str(size) for size in chains["contacts"][:own]), "5 others"]
+    assert "contacts per strong cluster" in [text.get_text() for text in figure.texts]  # it branches: no chain
     assert figure.legends[0].get_window_extent().x1 < figure.bbox.x1
     steps = {patch.get_label(): patch.get_data().values for patch in histogram.patches}
     for name, column in (("all contacts", "direction_all"), ("above the mean force", "direction_strong")):

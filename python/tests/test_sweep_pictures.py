@@ -3,19 +3,26 @@
 """Pictures of sweeps show the measures of their points, over a parameter or by name."""
 
 import json
+import os
+import subprocess
 
+import h5py
 import matplotlib
 import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import PolyCollection
-from synthetic_sweep import METHODS, NAMED, ONE, SCENES, TWO, write_sweep
+from synthetic_sweep import METHODS, NAMED, ONE, SCENE, SCENES, TWO, write_sweep
 
 import repose
 from repose import style
 from repose.errors import NotDrawn
 from repose.pictures.sweep import SWEEP_PICTURES, packing
+from repose.pictures.sweep.key_label import key_label, meaning_of
+from repose.pictures.sweep.panel import is_geometric
 from repose.plot import main
+from repose.scene_comments import key_comments
+
 
 @pytest.fixture
 def sweep(tmp_path):
@@ -46,7 +53,8 @@ def test_angle_shows_means_errors_and_members(sweep):
     dots = axes.get_lines()[0].get_xydata()
     assert len(dots) == 9
     np.testing.assert_allclose(sorted(dots[dots[:, 0] == 0.2, 1]), 20.0 + 0.01 * (np.arange(4) - 1.5))
-    assert (axes.get_xlabel(), axes.get_ylabel()) == ("contact.friction", "angle of repose (deg)")
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("friction", "angle of repose (deg)")
+    assert figure.texts[0].get_text().splitlines()[1] == "friction: Coulomb coefficient mu"
     assert not figure.legends
 
 
@@ -77,6 +85,57 @@ def test_wide_ranges_are_logarithmic(tmp_path):
     stiffness = {"stiffness": [1e2, 1e3, 1e4]}
     (figure,) = draw(repose.open(write_sweep(tmp_path / "sweep", ["a", "b", "c"], stiffness)), "angle")
     assert figure.axes[0].get_xscale() == "log"
+
+
+@pytest.mark.parametrize(
+    "places, logarithmic",
+    [([1, 10, 100], True), ([1e3, 2e3, 5e3, 1e4, 1e5], True), (range(1, 91), False), ([0, 10, 100], False), ([1, 100], False)],
+)
+def test_axes_are_logarithmic_where_places_are_even_by_ratios(places, logarithmic):
+    assert is_geometric(np.array(places, dtype=float)) == logarithmic
+
+
+@pytest.mark.parametrize(
+    "key, reduced, si",
+    [
+        ("contact.normal.stiffness", "normal stiffness / (mg/σ)", "normal stiffness (N/m)"),
+        ("method.critical_angle", "critical angle (deg)", "critical angle (deg)"),
+        ("base.spacing", "base spacing (diameters)", "base spacing (diameters)"),
+        ("source.height_above", "source height above", "source height above"),
+        ("gravity", "gravity / g", "gravity (m/s²)"),
+    ],
+)
+def test_keys_are_words_with_the_units_of_the_scene(key, reduced, si):
+    comments = key_comments(SCENE)
+    assert key_label(key, comments, style.Units(True)) == reduced
+    assert key_label(key, comments, style.Units(False)) == si
+
+
+def test_the_meaning_of_a_key_is_its_first_statement():
+    comments = key_comments(SCENE)
+    meaning = "critical angle: a disc sticks where its contact is less than this off upright"
+    assert meaning_of("method.critical_angle", comments) == meaning
+    assert meaning_of("source.count", comments) == ""
+
+
+def test_comments_are_those_that_the_program_writes(tmp_path):
+    program = os.environ.get("REPOSE_PROGRAM")
+    if not program:
+        pytest.skip("REPOSE_PROGRAM names no program")
+    scene = tmp_path / "scene.toml"
+    scene.write_text(subprocess.run([program, "scene", "heap"], capture_output=True, text=True, check=True).stdout)
+    comments = key_comments(scene.read_text())
+    assert comments["contact.friction"].unit == "" and comments["contact.friction"].meaning
+    assert comments["method.time_step"].unit == "T" and comments["base.spacing"].meaning
+
+
+def test_profiles_without_a_force_are_left_out(tmp_path):
+    folder = write_sweep(tmp_path / "sweep", **ONE)
+    with h5py.File(folder / "sweep.h5", "a") as file:
+        for name in ("normal", "shear"):
+            file[f"profiles/0001/{name}"][()] = 0.0
+    (figure,) = draw(repose.open(folder), "profiles")
+    assert [axes.get_title() for axes in figure.axes] == [ONE["names"][0], ONE["names"][2]]
 
 
 def test_dip_shows_both_indices_and_the_line_at_one(sweep):
@@ -138,7 +197,7 @@ def test_packings_of_one_series(tmp_path):
     """Over the parameter and over the solid fraction, with all fractions in one panel."""
     sweep = packings(tmp_path / "sweep", ONE)
     along, over_density = draw(sweep, "packing")
-    assert [axes.get_xlabel() for axes in along.axes] == ["contact.friction"] * 5
+    assert [axes.get_xlabel() for axes in along.axes] == ["friction"] * 5
     assert [axes.get_xlabel() for axes in over_density.axes] == ["solid fraction ρ"] * 4
     fractions = [label for _, _, label in errorbars(along.axes[4])]
     assert fractions == ["0", "1", "2", "3", "4", "5", "6+"]
@@ -167,7 +226,7 @@ def test_packings_of_two_methods_are_overlaid(tmp_path):
             assert bars[1][0].get_markerfacecolor() == "none"  # both are visible where they coincide
             for line, _, name in bars:
                 np.testing.assert_allclose(line.get_xydata(), np.column_stack([place, measure["mean"]])[rows[name]])
-    assert along.axes[0].get_xlabel() == "method.critical_angle (deg)"
+    assert along.axes[0].get_xlabel() == "critical angle (deg)"
     sideways, upright = (part.get_segments() for part in over_density.axes[0].containers[0][2])
     np.testing.assert_allclose([end[1, 0] - end[0, 0] for end in sideways], 2.0 * density["error"][:3])
     np.testing.assert_allclose([end[1, 1] - end[0, 1] for end in upright], 2.0 * measured[0]["error"][:3])
@@ -198,11 +257,22 @@ def test_command_line_draws_a_sweep(tmp_path, capsys, kind):
 
 
 @pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("kind", [ONE, METHODS], ids=["one", "methods"])
+def test_sweeps_are_printed(tmp_path, caplog, kind):
+    """PDF and EPS; Matplotlib logs a warning where EPS would need transparency, which it lacks."""
+    keys = ("angle_of_repose_deg.mean", "base_dip.index", "coordination", packing.DENSITY, *MEASURED, *packing.FRACTIONS)
+    folder = write_sweep(tmp_path / "sweep", **kind, keys=keys)
+    assert main([str(folder), "--format", "pdf,eps"]) == 0
+    assert not caplog.records
+    assert len(list((folder / "pictures").iterdir())) >= 12
+
+
+@pytest.mark.filterwarnings("error")
 def test_sweep_without_a_finished_member(tmp_path, capsys):
     folder = write_sweep(tmp_path / "sweep", **ONE, members=0, profiles=False)
     assert main([str(folder)]) == 0
     assert capsys.readouterr().out.splitlines() == [
-        "profiles: not drawn: no point has a base profile",
+        "profiles: not drawn: no point has a base that carries a force",
         "angle: not drawn: no member has angle_of_repose_deg.mean",
         "dip: not drawn: no member has a loaded base",
         "measures: not drawn: no member has any of the measures shown here",

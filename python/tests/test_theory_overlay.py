@@ -79,7 +79,7 @@ def test_lines_are_the_models_scaled_as_the_summary_says(folder):
         dots = next(line for line in axes.get_lines() if line.get_label() == "base disc")
         np.testing.assert_array_equal(dots.get_ydata(), run.base[name])
     texts = [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
-    assert texts == ["base disc", "mean ± standard error", "pile-continuum: 5, –", label_of]
+    assert texts == ["base disc", "mean ± scatter of its discs / √n", "pile-continuum: 5, –", label_of]
     for line in figure.axes[2].get_lines():
         np.testing.assert_array_equal(line.get_ydata(), [2.0, -4.0, np.nan])
     assert [axes.get_ylabel() for axes in figure.axes][:2] == [

@@ -95,6 +95,12 @@ def number_in(text, pattern):
     return float(found.group(1).rstrip("."))
 
 
+def assert_plain(said):
+    """No text of C++ and no traceback of Python."""
+    for sign in ("terminate", "std::", "what()", "_M_", "Traceback", "basic_string"):
+        assert sign not in said, said
+
+
 class Laboratory:
     """A folder for one test."""
 
@@ -107,6 +113,11 @@ class Laboratory:
 
     def __call__(self, *args, **options):
         return repose(*args, cwd=self.path, **options)
+
+    def shell(self, line, timeout=60, **environment):
+        """Runs a line of bash in which $REPOSE is the program."""
+        return subprocess.run(["bash", "-c", line], cwd=self.path, env={**os.environ, "REPOSE": PROGRAM, **environment},
+                              capture_output=True, text=True, errors="replace", timeout=timeout)
 
     def run(self, text, *options, out="out", expect=0, **more):
         """Runs a scene into the folder `out` and checks the exit code."""

@@ -27,7 +27,7 @@ CLAIMS = {
     "dips": ("profile.dip_index", 'point = "friction=0.5"\nabove = 1'),
     "dips more": ("profile.dip_index", 'difference = ["friction=0.5", "friction=0.1"]\nabove = 0'),
     "ratio": ("profile.max_over_centre", 'point = "friction=0.5"\nbelow = 100'),
-    "unknown": ("no.such.measure", 'point = "friction=0.5"\nabove = 1'),
+    "unknown": ("packing.solid_fraction.mean", 'point = "friction=0.5"\nabove = 1'),
 }
 TEXT = SWEEP + "".join(
     f'[[claim]]\ntext = "{name}"\nmeasure = "{measure}"\n{what}\n' for name, (measure, what) in CLAIMS.items()

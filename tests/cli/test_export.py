@@ -5,6 +5,7 @@
 import csv
 import re
 import shutil
+import subprocess
 from xml.etree import ElementTree
 
 import h5py
@@ -188,6 +189,30 @@ def test_ovito(run):
     assert (rows[:, names.index("force")] == found["/contacts/normal_force"][with_grains]).all()
 
 
+# LAMMPS reads the last snapshot of a dump and writes it again with all digits.
+def test_lammps_reads_the_dump(run):
+    exported(run, "--to", "ovito", "--out", "dump")
+    dump = run.path / "dump/grains.dump"
+    last = snapshots(dump)[-1]
+    (run.path / "in.lammps").write_text(f"""units lj
+dimension 2
+boundary f f p
+atom_style sphere
+region all block -100 100 -100 100 -0.5 0.5
+create_box 1 all
+read_dump {dump} {last[0]["step"]} x y vx vy box yes add yes
+write_dump all custom back.dump id x y vx vy modify sort id format float %.17g
+""")
+    result = subprocess.run(["lmp", "-in", "in.lammps", "-log", "none"], cwd=run.path, capture_output=True, text=True)
+    assert result.returncode == 0, result.stdout + result.stderr
+    lines = (run.path / "back.dump").read_text().splitlines()
+    start = next(k for k, line in enumerate(lines) if line.startswith("ITEM: ATOMS")) + 1
+    back = np.array([[float(x) for x in line.split()] for line in lines[start:]])
+    assert (back[:, 0] == run.found["/grains/id"] + 1).all()
+    assert np.allclose(back[:, 1:3], run.found["/grains/position"], rtol=0, atol=1e-13)
+    assert np.allclose(back[:, 3:5], run.found["/grains/velocity"], rtol=1e-15, atol=1e-15)
+
+
 def table(path):
     """(lines that begin with #, columns by name) of an exported table, quoted cells included."""
     lines = path.read_text().splitlines()
@@ -250,8 +275,9 @@ def test_csv_states_units_and_settings(run):
 
 def test_only_the_last_state(run):
     exported(run, "--to", "vtk", "--frames", "last", "--out", "last")
+    walls = ["walls.pvd", "walls_000000.vtp"] if "/walls/name" in run.found else []
     assert sorted(p.name for p in (run.path / "last").iterdir()) == [
-        "contacts.pvd", "contacts_000000.vtp", "grains.pvd", "grains_000000.vtp"]
+        "contacts.pvd", "contacts_000000.vtp", "fields.vti", "grains.pvd", "grains_000000.vtp", *walls]
 
 
 def test_exports_without_contacts(lab):
@@ -272,7 +298,7 @@ def test_a_second_export_replaces_the_first(lab):
     (vtk / "view.pvsm").write_text("mine")
     exported(lab, "--to", "vtk", "--frames", "last")
     assert sorted(p.name for p in vtk.iterdir()) == [
-        "contacts.pvd", "contacts_000000.vtp", "grains.pvd", "grains_000000.vtp", "view.pvsm"]
+        "contacts.pvd", "contacts_000000.vtp", "fields.vti", "grains.pvd", "grains_000000.vtp", "view.pvsm"]
     exported(lab, "--to", "vtk", "--quiet")
     assert len(list(vtk.glob("grains_*.vtp"))) > 3
 
@@ -285,7 +311,7 @@ def test_folders_that_are_not_exports_are_not_changed(lab):
                 parts=["mine: folder is not empty; choose another --out, or --overwrite"])
     assert (lab.path / "mine/grains.dump").read_text() == "precious"
     exported(lab, "--to", "ovito", "--out", "mine", "--overwrite")
-    assert (lab.path / "mine/grains.dump").read_text().startswith("ITEM: TIMESTEP")
+    assert (lab.path / "mine/grains.dump").read_text().startswith("ITEM: TIME\n")
 
 
 def test_a_killed_run_without_analysis(lab):

@@ -146,7 +146,7 @@ def test_disk_full_later(lab, what):
         text = text.replace("rate = 1.0", "rate = 5.0").replace("height = 10\nhalf_width = 2", "height = 20\nhalf_width = 6")
         text += "[output]\nframes = 2\n"
     lab.scene(text)
-    result = lab("run", "scene.toml", "--out", "out", "--quiet", before="ulimit -f 32")
+    result = lab("run", "scene.toml", "--out", "out", "--quiet", before="ulimit -f 64")
     assert result.returncode == 1, result.stderr
     assert ".h5" in result.stderr and "cannot write" in result.stderr and "File too large" in result.stderr
     assert len(result.stderr.strip().splitlines()) == 1, result.stderr

@@ -113,7 +113,7 @@ except ValueError as error:
 """
     assert in_python(code) == (
         "pile-continuum: slope_deg = 61: must be > 0 and < 60 (deg)\n"
-        "pile-continuum: points = 1: must be from 2 to 10000000"
+        "pile-continuum: points = 1: must be from 2 to 1000000"
     )
 
 
@@ -146,7 +146,7 @@ def test_other_formats(tmp_path):
         (["pyramid"], ["pyramid: no such model of theory; must be pile-lattice | pile-continuum"]),
         (["pile-continuum", "--set", "slope_deg"], ["--set slope_deg: must be key=value"]),
         (["pile-continuum", "--csv", "no/such/x.csv"], ["no/such/x.csv: no such folder"]),
-        (["pile-continuum", "--plot", "x.gif"], ["x.gif: must end in .png, .svg or .pdf"]),
+        (["pile-continuum", "--plot", "x.gif"], ["x.gif: must end in .png, .svg, .pdf or .eps"]),
         (
             ["pile-continuum", "--set", "slope_deg=0", "--set", "slop=3"],
             ["pile-continuum: slope_deg = 0: must be > 0", "pile-continuum: slop: no such parameter"],

@@ -4,6 +4,7 @@
 
 import math
 
+import h5py
 import numpy as np
 import pytest
 from conftest import Grains, datasets
@@ -66,7 +67,7 @@ def test_a_strong_vibration_throws_a_disc(lab):
     plate = wall("plate", (-3, 0), (3, 0), "motion = 'vibration'", f"amplitude = [0, {amplitude}]", "frequency = 1.0")
     found = datasets(lab.run(SOFT + plate + grain(0, 0.49999) + stop(5) + OUTPUT) / "run.h5")
     force = found["/series/wall_force_y"][:, 0]
-    assert 0.2 < (force == 0.0).mean() < 0.8
+    assert 0.5 < (force == 0.0).mean() < 0.98  # impacts are short
     assert force.mean() == pytest.approx(-1.0, abs=0.15)  # it carries the weight, up to the momentum of the last throw
 
 
@@ -87,14 +88,21 @@ def test_a_disc_rolls_at_the_bottom_of_a_drum(lab, method):
     assert np.abs(velocity).max() < 0.05
 
 
-# Rolling resistance carries it up to where the tangential force, m g sin, over the normal one is mu_r.
+# Rolling resistance carries a disc up to where the tangential force, m g sin, over the normal one is mu_r. It rolls there
+# as fast as the drum. A constant torque damps nothing, so the disc swings about that place, with the period
+# 2 pi (1.5 x 4.5)^(1/2) = 16.3 of a disc that rolls in a bowl; the mean over two periods is the place. Where a seam passes, the rolling
+# spring lags behind the normal force for about 0.01 of 0.5, which lowers the mean by a few per cent of soft grains.
 @pytest.mark.parametrize("method", [SOFT + 'rolling = { law = "spring", friction = 0.2 }\n',
                                     RIGID + "rolling_friction = 0.2\n"], ids=["soft", "rigid"])
 def test_rolling_resistance_carries_a_disc_up_a_drum(lab, method):
-    position, _, rim = one_grain(lab.run(method + drum(omega=0.1) + grain(0, -4.5) + stop(150)))
-    angle = math.atan2(position[0], -position[1])
-    assert angle == pytest.approx(math.atan(0.2), abs=0.02)
-    assert rim == pytest.approx(0.5, abs=0.05)
+    angle = math.atan(0.2)
+    there = grain(4.5 * math.sin(angle), -4.5 * math.cos(angle)) + "spin = 1.0\n"
+    out = lab.run(method + drum(omega=0.1) + there + stop(32.6) + "[output]\ntrack = 0.2\n")
+    with h5py.File(out / "run.h5") as file:
+        x, y = np.concatenate([file[f"track/{name}/position"][()] for name in file["track"]]).T
+    angles = np.arctan2(x, -y)
+    assert angles.mean() == pytest.approx(angle, abs=0.012)
+    assert np.ptp(angles) < 0.1
 
 
 # The power of the drum on a disc that is carried up and rolls there is dissipated: the budget closes.
@@ -161,6 +169,22 @@ def test_a_belt_runs_back_below(lab):
     assert velocity[0] == pytest.approx(-1.0, abs=5e-3)
 
 
+# Pressure and shear on one wall: a disc between a floor and a piston whose surface runs at V rolls at V/2, and the piston
+# keeps its force. Its normal points down, so its surface runs to the left.
+def test_a_piston_presses_and_shears(lab):
+    piston = ("[[plane]]\nname = 'piston'\npoint = [0, 1]\nnormal = [0, -1]\nmotion = 'force'\nforce = [0, -5]\nmass = 20.0\n"
+              "drag = 20.0\nsurface_speed = 0.4\n")
+    floor = "[[plane]]\nname = 'floor'\npoint = [0, 0]\nnormal = [0, 1]\n"
+    out = lab.run(SOFT + piston + floor + grain(0, 0.5) + stop(10) + OUTPUT)
+    position, velocity, rim = one_grain(out)
+    assert velocity[0] == pytest.approx(-0.2, abs=2e-3) and abs(rim) == pytest.approx(0.2, abs=2e-3)
+    found = datasets(out / "run.h5")
+    force = found["/series/wall_force_y"][-50:, 0]  # of the grain on the piston
+    assert force == pytest.approx(5.0, abs=0.01)
+    scene = lab.scene(RIGID + piston + floor + grain(0, 0.5) + stop(1))
+    lab.refused("check", scene, parts=["plane[0].surface_speed", "not that of a piston"])
+
+
 # ---- global damping
 
 FLIGHT = "[method]\ntime_step = 0.001\n{}\n[box]\nfloor = -1000\n" + grain(0, 0)
@@ -181,7 +205,7 @@ def test_local_damping_takes_a_fraction_of_gravity(lab):
     _, velocity, _ = one_grain(out)
     assert velocity[1] == pytest.approx(-0.7 * (2.0 - 0.0005), abs=1e-9)
     energy = datasets(out / "run.h5")
-    assert abs(energy["/energy/error"]).max() < 1e-9
+    assert abs(energy["/energy/error"]).max() < 1e-6  # of the first half step, (g dt)^2 / 8
     assert energy["/energy/drag"][-1] == pytest.approx(0.3 * -energy["/energy/gravitational"][-1], rel=1e-6)
 
 

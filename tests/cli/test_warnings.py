@@ -30,11 +30,14 @@ def test_deep_overlaps(lab):
     assert "overlaps reach 0.1" in warning and "0.05" in warning
 
 
+# A load of 0.6 presses a grain with a spring of 1 by 0.6 into a wall, so that its centre is 0.1 behind it.
 def test_grains_behind_a_wall_are_named(lab):
-    shot = "gravity = 0.0\n[method]\ntime_step = 0.01\n" + HOOKE % "1.0" + (
-        "[[plane]]\nname = 'door'\npoint = [5, 0]\nnormal = [-1, 0]\n") + grain(0, 0, 20.0) + "[stop]\ntime = 1\n"
-    warnings = said(lab, shot)
+    pressed = "gravity = 0.0\n[method]\ntime_step = 0.01\nviscous_damping = 1.0\n" + HOOKE % "1.0" + (
+        "[[plane]]\nname = 'door'\npoint = [0, 0]\nnormal = [-1, 0]\n") + grain(-0.5, 0) + (
+        "[[load]]\ngrain = 0\nforce = [0.6, 0.0]\n[stop]\ntime = 30\n")
+    warnings = said(lab, pressed)
     assert any('1 grain is behind wall "door", as grain 0' in warning for warning in warnings)
+    assert any("overlaps reach 0.6" in warning for warning in warnings)
 
 
 def test_a_run_that_loses_everything(lab):
@@ -42,9 +45,11 @@ def test_a_run_that_loses_everything(lab):
     assert "all 2 grains have left" in warning
 
 
-# A wall that throws a soft grain at a step near the limit of stability.
+# A fall from 5 hits the floor at time 3. At w dt = 0.99, near the longest step that is not refused, the budget misses a
+# fifth of the energy within the impact; at a hundredth of that step it closes.
 def test_an_open_energy_budget(lab):
-    hammer = wall("hammer", (-2, 0), (2, 0), "motion = 'velocity'", "velocity = [0, 0.0001]")
-    scene = "[method]\ntime_step = 0.0099\n" + HOOKE % "1e4" + hammer + grain(0, 0.5, 0.0, -1e-3) + "[stop]\ntime = 0.1\n"
-    closed = said(lab, scene + "[output]\nenergy = true\n")
-    assert all("budget" not in warning for warning in closed)
+    scene = "[method]\ntime_step = %s\n" + (HOOKE % "1e4").replace("0.5", "0.0") + FLOOR + (
+        grain(0, 5.0) + "[stop]\ntime = 3.0096\n[output]\nenergy = true\n")
+    (warning,) = [warning for warning in said(lab, scene % "0.0099") if "budget" in warning]
+    assert "does not close: it misses" in warning and "of 5 supplied" in warning
+    assert not any("budget" in warning for warning in said(lab, scene % "1e-4", "--overwrite"))

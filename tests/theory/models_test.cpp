@@ -23,7 +23,7 @@ std::string complaint(const std::string& model, const std::vector<Setting>& sett
 TEST(Models, AllProblemsAtOnce) {
   EXPECT_EQ(complaint("pile-continuum", {{"slope_deg", "61"}, {"points", "2.5"}, {"slope", "3"}}),
             "pile-continuum: slope_deg = 61: must be > 0 and < 60 (deg)\n"
-            "pile-continuum: points = 2.5: is not a whole number; must be from 2 to 10000000\n"
+            "pile-continuum: points = 2.5: is not a whole number; must be from 2 to 1000000\n"
             "pile-continuum: slope: no such parameter; must be points | slope_deg");
   EXPECT_EQ(complaint("pile-continuum", {{"slope_deg", "3"}, {"slope_deg", "4"}}),
             "pile-continuum: slope_deg = 4: is set twice");

@@ -12,7 +12,7 @@ from repose import style
 from repose.errors import NotDrawn
 
 NO_MODEL = "no model was compared with it (repose plot DIR --theory MODEL)"
-DATA = ("base disc", "mean ± standard error")  # in the legend, before the models
+DISC, ERROR = "base disc", "mean ± standard error"  # in the legend, before the models
 COLUMN = 4.0  # inch
 LETTERS_PER_INCH = 18  # of a caption
 LEGEND_LINE = 0.15  # inch
@@ -28,6 +28,7 @@ class Comparison:
     discs: dict  # x, normal, shear of each base disc
     bins: dict  # the same in bins, with normal_error and shear_error
     entries: "list[dict]"  # of the key "theory", one for each model
+    errors: str = ERROR  # what the bars of the bins are
 
 
 def curve(entry, name):
@@ -106,15 +107,16 @@ def _draw_forces(column, comparison):
     """Normal force above shear force, with the legend above both."""
     for axes, name in zip(column, ("normal", "shear")):
         axes.axhline(0.0, color=style.FAINT, linewidth=0.6, zorder=0)
-        drawing = dict(color=style.GREY, markersize=2.2, alpha=0.35, markeredgewidth=0, zorder=1)
-        axes.plot(comparison.discs["x"], comparison.discs[name], "o", label=DATA[0], **drawing)
+        drawing = dict(color=style.pale(style.GREY, 0.45), markersize=2.2, markeredgewidth=0, zorder=1)
+        axes.plot(comparison.discs["x"], comparison.discs[name], "o", label=DISC, **drawing)
         error = np.nan_to_num(comparison.bins[f"{name}_error"])
         drawing = dict(fmt="s", color=style.INK, markersize=3.2, elinewidth=1.0, capsize=2, zorder=4)
-        axes.errorbar(comparison.bins["x"], comparison.bins[name], error, label=DATA[1], **drawing)
+        axes.errorbar(comparison.bins["x"], comparison.bins[name], error, label=comparison.errors, **drawing)
         for k, entry in enumerate(comparison.entries):
             axes.plot(*curve(entry, name), color=_colour(k), linewidth=1.4, label=_label_with_numbers(entry), zorder=3)
+    known = (DISC, comparison.errors)
     handles, labels = column[0].get_legend_handles_labels()
-    order = sorted(range(len(labels)), key=lambda k: DATA.index(labels[k]) if labels[k] in DATA else len(DATA))
+    order = sorted(range(len(labels)), key=lambda k: known.index(labels[k]) if labels[k] in known else len(known))
     column[0].legend(
         [handles[k] for k in order], [labels[k] for k in order], loc="lower left", bbox_to_anchor=(0.0, 1.02),
         title=f"{comparison.name}\n".lstrip() + "χ² per degree of freedom: normal, shear", title_fontsize=7,
@@ -124,7 +126,7 @@ def _draw_forces(column, comparison):
 
 def _draw_residuals(axes, comparison):
     """Residuals of the normal force over their errors, in the interval of x that the widest model loads."""
-    axes.axhspan(-2.0, 2.0, color=style.FAINT, alpha=0.4, linewidth=0, zorder=0)
+    axes.axhspan(-2.0, 2.0, color=style.pale(style.FAINT, 0.4), linewidth=0, zorder=0)
     for k, entry in enumerate(comparison.entries):
         part = {key: _array(values) for key, values in entry["residuals"].items()}
         with np.errstate(divide="ignore", invalid="ignore"):

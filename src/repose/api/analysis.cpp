@@ -32,7 +32,7 @@ std::vector<Measure> measures_of_record(const Record& record) {
 std::vector<Measure> analyse(const std::string& folder) {
   const FolderLock lock(folder);
   const auto record = read_record(folder);
-  write_results(folder, record, repose::analyse(record));
+  write_results(folder, lock, record, repose::analyse(record));
   return measures(folder);
 }
 

@@ -29,11 +29,12 @@ struct WallMotion {
   Kind kind = Kind::none;
   Vec<D> direction{};      ///< unit vector; zero for a rotation and a belt
   double speed = 0.0;      ///< [L/T] of the wall, the surface of the belt, or the far end of the spring; [1/T] angular
+  double surface = 0.0;    ///< [L/T] of the surface of a piston, which runs round it as that of a belt
   double amplitude = 0.0;  ///< [L] of a vibration
   double frequency = 0.0;  ///< [1/T] angular frequency of a vibration
   double phase = 0.0;      ///< [rad] of a vibration at its start
   Vec<D> centre{};         ///< [L] of a rotation
-  Spin<D> axis{};          ///< unit vector about which a rotation turns and a belt runs, counter-clockwise
+  Spin<D> axis{};          ///< unit vector about which a rotation turns and surfaces run, counter-clockwise
   double force = 0.0;      ///< [M L/T^2]
   double stiffness = 0.0;  ///< [M/T^2] stiffness of the spring
   double mass = 0.0;       ///< [M]
@@ -150,6 +151,8 @@ WallNow<D> wall_now(const Wall<D>& wall, const WallState& state, double time) {
     now.normal = rotated(wall.normal, motion.axis, state.displacement);
   } else if (motion.kind == WallMotion<D>::Kind::belt) {
     now.belt = motion.axis * -state.speed;
+  } else if (motion.surface != 0.0 && motion.going(time)) {
+    now.belt = motion.axis * -motion.surface;
   }
   return now;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/cli/common_arguments.hpp"
 #include "repose/cli/describe.hpp"
+#include "repose/cli/say.hpp"
 #include "repose/cli/verbs.hpp"
 #include "repose/core/errors.hpp"
 #include "repose/determinacy/force_range.hpp"
@@ -11,9 +12,6 @@
 #include "repose/scene/toml_file.hpp"
 #include "repose/sweep/folder.hpp"
 
-#include <fmt/format.h>
-
-#include <cstdio>
 #include <memory>
 #include <string>
 
@@ -31,19 +29,19 @@ int act(const AnalyseOptions& options) {
   if (SweepFolder::is_one(options.folder)) {
     SweepFolder sweep(options.folder);
     const auto members = sweep.analyse(options.force_range);
-    if (!options.quiet) fmt::print("analysed         {} members; wrote the tables of {}\n", members, options.folder);
+    if (!options.quiet) say("analysed         {} members; wrote the tables of {}\n", members, options.folder);
     return 0;
   }
   const FolderLock lock(options.folder);
   const auto record = read_record(options.folder);
   if (read_run_scene(options.folder) != text_of_file(options.folder + "/scene.toml")) {
-    fmt::print(stderr, "{}/scene.toml: has changed since the run; the analysis uses its [analysis] as it stands now\n",
-               options.folder);
+    complain("{}/scene.toml: has changed since the run; the analysis uses its [analysis] as it stands now\n",
+             options.folder);
   }
   auto results = analyse(record);
   if (options.force_range) results.force_range = force_range(record, results);
-  write_results(options.folder, record, results);
-  if (!options.quiet) fmt::print("{}", describe_result(record, results));
+  write_results(options.folder, lock, record, results);
+  if (!options.quiet) say("{}", describe_result(record, results));
   return 0;
 }
 

@@ -4,24 +4,35 @@
 
 #include "repose/cli/describe.hpp"
 #include "repose/cli/progress.hpp"
+#include "repose/cli/say.hpp"
 #include "repose/cli/signals.hpp"
 #include "repose/cli/verbs.hpp"
 #include "repose/core/errors.hpp"
-
-#include <fmt/format.h>
+#include "repose/io/machine.hpp"
+#include "repose/simulation/expectation.hpp"
 
 #include <algorithm>
-#include <thread>
 
 namespace repose {
 
 int threads_for(const Scene& scene, int wanted) {
-  if (wanted > 0) return wanted;
-  constexpr std::int64_t grains_per_thread = 2000;
+  constexpr std::int64_t worth_a_thread = 2000;
+  constexpr std::int64_t least_for_a_thread = 10;
   const auto of_source = scene.source->released() + scene.source->placed();
   const auto grains = of_source + scene.start.moving + static_cast<std::int64_t>(scene.placed.size());
-  const auto useful = std::max<std::int64_t>(1, grains / grains_per_thread);
-  return static_cast<int>(std::min<std::int64_t>(useful, std::max(1U, std::thread::hardware_concurrency())));
+  const auto least = wanted > 0 ? least_for_a_thread : worth_a_thread;
+  const auto useful = std::clamp<std::int64_t>(grains / least, 1, machine_threads());
+  return static_cast<int>(wanted > 0 ? std::min<std::int64_t>(wanted, useful) : useful);
+}
+
+void check_memory(const Scene& scene, const std::string& name) {
+  const double needed = expected_memory(scene);
+  const double room = machine_memory();
+  if (needed <= room) return;
+  throw InputError(fmt::format(
+      "{}: needs about {:.3g} GB of memory, this machine has {:.3g} GB: take fewer grains, or longer intervals "
+      "output.series and output.track (`repose run --beyond-memory` runs it all the same)",
+      name, needed / 1e9, room / 1e9));
 }
 
 int carry_out(Simulation& simulation, RunFolder& folder, bool quiet) {
@@ -36,8 +47,8 @@ int carry_out(Simulation& simulation, RunFolder& folder, bool quiet) {
   if (simulation.status() == Status::failed) throw RunError(simulation.message());
   const bool stopped = simulation.status() == Status::interrupted;
   if (!quiet) {
-    fmt::print("{}", result);
-    if (stopped) fmt::print("to continue      repose resume {}\n", folder.path());
+    say("{}", result);
+    if (stopped) say("to continue      repose resume {}\n", folder.path());
   }
   return stopped ? exit_interrupted : 0;
 }

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/cli/carry_out.hpp"
 #include "repose/cli/common_arguments.hpp"
 #include "repose/cli/describe.hpp"
+#include "repose/cli/say.hpp"
 #include "repose/cli/verbs.hpp"
 #include "repose/simulation/expectation.hpp"
-
-#include <fmt/format.h>
 
 #include <memory>
 
@@ -16,10 +16,12 @@ namespace {
 int act(const SceneOptions& options) {
   const auto scene = options.read();
   const auto traits = scene.method->traits();
-  fmt::print("{}{}", describe(scene), traits.force_laws ? describe_contacts(scene) : "");
-  for (const auto& warning : scene.start.warnings) fmt::print("warning          {}\n", warning);
+  say("{}{}", describe(scene), traits.force_laws ? describe_contacts(scene) : "");
+  for (const auto& warning : scene.start.warnings) say("warning          {}\n", warning);
   const double work = expected_work(scene, expected_end(scene));
-  fmt::print("cost             about {:.2g} s of one core\n", work / traits.typical_speed);
+  say("cost             about {:.2g} s of one core, {:.2g} GB of memory\n", work / traits.typical_speed,
+      expected_memory(scene) / 1e9);
+  check_memory(scene, options.file);
   return 0;
 }
 

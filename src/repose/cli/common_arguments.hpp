@@ -35,7 +35,10 @@ inline Argument set_argument(SceneOptions& scene) {
 }
 
 inline Argument seed_argument(SceneOptions& scene) {
-  return {.name = "--seed", .value = "N", .about = "Seed of all random numbers", .target = &scene.overrides.seed};
+  return {.name = "--seed",
+          .value = "N",
+          .about = "Seed of all random numbers, a decimal whole number",
+          .target = &scene.overrides.seed};
 }
 
 /// At most `most_threads`; 0, which no user can give, leaves the choice to the program.

@@ -3,9 +3,8 @@
 #include "repose/run_folder/export.hpp"
 
 #include "repose/cli/common_arguments.hpp"
+#include "repose/cli/say.hpp"
 #include "repose/cli/verbs.hpp"
-
-#include <fmt/format.h>
 
 #include <memory>
 
@@ -24,11 +23,11 @@ int act(const ExportOptions& options) {
   order.frames = options.frames == "all";
   const auto done = export_run(order);
   if (options.quiet) return 0;
-  for (const auto& file : done.files) fmt::print("{}/{}\n", done.folder, file);
+  for (const auto& file : done.files) say("{}/{}\n", done.folder, file);
   if (order.to == "csv" || order.to == "contact-problem") return 0;
-  fmt::print("{} {} of the run. ", done.moments, done.moments == 1 ? "state" : "states");
-  if (order.to == "vtk") fmt::print("ParaView opens the .pvd files: grains as Point Gaussian or Glyph by diameter\n");
-  if (order.to == "ovito") fmt::print("OVITO opens grains.dump; contacts.dump by Load trajectory, as bonds\n");
+  say("{} {} of the run. ", done.moments, done.moments == 1 ? "state" : "states");
+  if (order.to == "vtk") say("ParaView opens the .pvd files: grains as Point Gaussian or Glyph by diameter\n");
+  if (order.to == "ovito") say("OVITO opens grains.dump; contacts.dump by Load trajectory, as bonds\n");
   return 0;
 }
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/cli/common_arguments.hpp"
 #include "repose/cli/python.hpp"
+#include "repose/cli/say.hpp"
 #include "repose/cli/verbs.hpp"
 #include "repose/comparison/base_overlay.hpp"
 #include "repose/core/errors.hpp"
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,6 +25,8 @@ struct PlotOptions {
   std::optional<std::string> format;
   std::optional<std::string> dpi;
   std::optional<std::string> frame;
+  bool same_axes = false;
+  bool own_axes = false;
   std::vector<std::string> theory;
 };
 
@@ -36,16 +38,15 @@ std::string per_degree(const Agreement& agreement) {
 
 void print(const std::vector<BaseOverlay>& all) {
   for (const auto& base : all) {
-    if (!base.point.empty()) fmt::print("{}{}\n", base.point, base.problem.empty() ? "" : ": " + base.problem);
+    if (!base.point.empty()) say("{}{}\n", base.point, base.problem.empty() ? "" : ": " + base.problem);
     for (const auto& comparison : base.models) {
-      fmt::print("{}\n", comparison.label());
+      say("{}\n", comparison.label());
       for (const auto& [name, agreement] : {std::pair{"normal", &comparison.normal}, {"shear", &comparison.shear}}) {
-        fmt::print("  {:<8} chi-square per degree {}, rms residual {:.3g} grain weights, {:.3g} of the mean load\n",
-                   name, per_degree(*agreement), agreement->rms, agreement->rms_over_mean);
+        say("  {:<8} chi-square per degree {}, rms residual {:.3g} grain weights, {:.3g} of the mean load\n", name,
+            per_degree(*agreement), agreement->rms, agreement->rms_over_mean);
       }
     }
   }
-  std::fflush(stdout);
 }
 
 int act(const PlotOptions& options) {
@@ -60,6 +61,9 @@ int act(const PlotOptions& options) {
                                     {"--frame", &options.frame}}) {
     if (*value) words.insert(words.end(), {name, **value});
   }
+  if (options.same_axes && options.own_axes) throw InputError("--same-axes and --own-axes exclude each other");
+  if (options.same_axes) words.emplace_back("--same-axes");
+  if (options.own_axes) words.emplace_back("--own-axes");
   hand_over_to_python("repose.plot", words);
 }
 
@@ -79,11 +83,11 @@ Verb plot_verb() {
                          .target = &options->only},
                         {.name = "--format",
                          .value = "KINDS",
-                         .about = "png, svg or both, separated by a comma (default: png,svg)",
+                         .about = "png, svg, pdf, eps, separated by commas (default: png,svg)",
                          .target = &options->format,
                          .suggestions =
                              [] {
-                               return std::vector<std::string>{"png", "svg", "png,svg"};
+                               return std::vector<std::string>{"png", "svg", "pdf", "eps", "png,svg"};
                              }},
                         {.name = "--dpi",
                          .value = "N",
@@ -91,14 +95,21 @@ Verb plot_verb() {
                          .target = &options->dpi},
                         {.name = "--frame",
                          .value = "NNNNNN",
-                         .about = "Saved frame to draw instead of the last state",
+                         .about = "Saved frame to draw instead of the last state; all: every one",
                          .target = &options->frame},
+                        {.name = "--same-axes",
+                         .about = "Size, axes and scale of forces of all frames and the last state (default of frames)",
+                         .target = &options->same_axes},
+                        {.name = "--own-axes",
+                         .about = "Size, axes and scale of the state alone (default of the last state)",
+                         .target = &options->own_axes},
                         {.name = "--theory",
                          .value = "MODEL[:KEY=VALUE,...]",
                          .about = "Model of base forces to overlay on the measured ones",
                          .target = &options->theory}},
           .examples = {{"repose plot heap", "Draw the run in the folder heap"},
                        {"repose plot heap --only heap,chains --format png --dpi 300", "Draw two pictures for print"},
+                       {"repose plot heap --frame all --only heap --format png", "Draw the frames of a movie"},
                        {"repose plot heap --theory pile-continuum --theory osl:model=fpa",
                         "Compare the base forces with two models"}},
           .act = [options] { return act(*options); }};

@@ -1,12 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/cli/command_line/help.hpp"
+#include "repose/cli/say.hpp"
 #include "repose/cli/verbs.hpp"
 #include "repose/core/version.hpp"
 
-#include <fmt/format.h>
-
-#include <cstdio>
 #include <memory>
 
 namespace repose {
@@ -29,15 +27,15 @@ std::vector<Verb> all_verbs() {
 
 int act(const ProgramOptions& options) {
   if (options.version) {
-    fmt::print("{}\n", version);
+    say("{}\n", version);
   } else if (options.man) {
-    fmt::print("{}", man_page(repose_program(), version));
+    say("{}", man_page(repose_program(), version));
   } else if (options.completion == "bash") {
-    fmt::print("{}", bash_completion(repose_program()));
+    say("{}", bash_completion(repose_program()));
   } else if (options.completion == "zsh") {
-    fmt::print("{}", zsh_completion(repose_program()));
+    say("{}", zsh_completion(repose_program()));
   } else {
-    fmt::print(stderr, "{}", help_text(repose_program()));
+    complain("{}", help_text(repose_program()));
     return exit_bad_input;
   }
   return 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/cli/progress.hpp"
 
+#include "repose/cli/say.hpp"
 #include "repose/simulation/expectation.hpp"
 
 #include <fmt/format.h>
@@ -40,16 +41,16 @@ void Progress::update(const Simulation& simulation) {
   if (terminal_) {
     constexpr std::size_t width = 24;
     const auto full = static_cast<std::size_t>(done * width);
-    fmt::print("\r[{}{}] {}\033[K", std::string(full, '#'), std::string(width - full, '.'), line);
+    say("\r[{}{}] {}\033[K", std::string(full, '#'), std::string(width - full, '.'), line);
     drawn_ = true;
   } else {
-    fmt::print("{}\n", line);
+    say("{}\n", line);
   }
   std::fflush(stdout);
 }
 
 void Progress::finish() {
-  if (drawn_) fmt::print("\r\033[K");
+  if (drawn_) say("\r\033[K");
   std::fflush(stdout);
 }
 

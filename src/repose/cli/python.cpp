@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/cli/python.hpp"
 
+#include "repose/cli/say.hpp"
 #include "repose/core/errors.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <sstream>
 
 namespace repose {
 
@@ -19,15 +21,8 @@ namespace {
 /// The Python package, seen from the folder of the program: in a build folder, then in an installation.
 constexpr const char* package_folders[] = {"python", "../lib/python3/dist-packages"};
 
-/// Runs the module named first with the package folder named second in front of all others. The folder that the user
-/// happens to be in is not searched: its files could hide modules.
-constexpr const char* start_module =
-    "import runpy, sys\n"
-    "module, package = sys.argv[1:3]\n"
-    "del sys.argv[1:3]\n"
-    "if sys.path[0] == '': del sys.path[0]\n"
-    "sys.path.insert(0, package)\n"
-    "runpy.run_module(module, run_name='__main__', alter_sys=True)\n";
+/// The file of the package that runs its modules.
+constexpr const char* start_file = "/repose/start.py";
 
 std::string from_environment(const char* name, const std::string& otherwise) {
   const char* value = std::getenv(name);
@@ -47,17 +42,42 @@ std::string package_folder() {
                   here.string(), package_folders[0], package_folders[1]));
 }
 
+/// PYTHONPATH without the entries that stand for the folder that the user happens to be in: an empty one is often left
+/// by a variable that is not set.
+std::string python_path() {
+  std::string kept;
+  std::istringstream entries(from_environment("PYTHONPATH", ""));
+  for (std::string entry; std::getline(entries, entry, ':');) {
+    if (entry.empty() || entry == "." || entry == "./") continue;
+    kept += (kept.empty() ? "" : ":") + entry;
+  }
+  return kept;
+}
+
+/// Python imports nothing from the present folder, whose files could hide its modules, and Matplotlib opens no window.
+void set_environment() {
+  ::setenv("PYTHONSAFEPATH", "1", 1);
+  ::setenv("MPLBACKEND", "agg", 1);
+  if (const auto path = python_path(); !path.empty()) {
+    ::setenv("PYTHONPATH", path.c_str(), 1);
+  } else {
+    ::unsetenv("PYTHONPATH");
+  }
+}
+
 }  // namespace
 
 void hand_over_to_python(const std::string& module, const std::vector<std::string>& arguments) {
   const auto python = from_environment("REPOSE_PYTHON", "/usr/bin/python3");
   const auto named = from_environment("REPOSE_PYTHON_PATH", "");
   const auto package = named.empty() ? package_folder() : named;
-  std::vector<std::string> words = {python, "-c", start_module, module, package};
+  std::vector<std::string> words = {python, package + start_file, module, package};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   for (auto& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
+  if (const int status = status_after_output(0); status != 0) std::exit(status);
+  set_environment();
   ::execv(python.c_str(), pointers.data());
   throw RunError(
       fmt::format("{}: cannot start Python: {} (REPOSE_PYTHON names another)", python, std::strerror(errno)));

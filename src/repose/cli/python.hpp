@@ -7,8 +7,8 @@
 
 namespace repose {
 
-/// Replaces the program by `python3 -m MODULE ARGUMENTS` of the Python package. Throws RunError if Python does not
-/// start.
+/// Replaces the program by `python3 -m MODULE ARGUMENTS` of the Python package, which python/repose/start.py runs. Ends
+/// the program where standard output has failed. Throws RunError if Python does not start.
 [[noreturn]] void hand_over_to_python(const std::string& module, const std::vector<std::string>& arguments);
 
 }  // namespace repose

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/record/reference.hpp"
 
+#include "repose/cli/say.hpp"
 #include "repose/cli/verbs.hpp"
 #include "repose/contact_problem/contact_problem_groups.hpp"
 #include "repose/core/errors.hpp"
@@ -41,9 +42,9 @@ std::vector<std::string> names_of_pages() {
 
 int act(const std::string& name) {
   for (const auto& page : pages) {
-    if (name.empty()) fmt::print("{}\n", page.name);
+    if (name.empty()) say("{}\n", page.name);
     if (name != page.name) continue;
-    fmt::print("{}", page.text());
+    say("{}", page.text());
     return 0;
   }
   if (!name.empty()) throw InputError(fmt::format("{}: no such page (`repose reference` lists them)", name));

@@ -4,13 +4,13 @@
 
 #include "repose/cli/carry_out.hpp"
 #include "repose/cli/common_arguments.hpp"
+#include "repose/cli/say.hpp"
 #include "repose/cli/verbs.hpp"
 #include "repose/core/errors.hpp"
 #include "repose/sweep/folder.hpp"
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,24 +32,24 @@ int act(const ResumeOptions& options) {
   }
   auto found = find_interrupted(options.folder);
   for (const auto& problem : found.damaged) {
-    fmt::print(stderr, "repose: {}{}\n", problem, found.checkpoint ? "; resuming from the other checkpoint" : "");
+    complain("repose: {}{}\n", problem, found.checkpoint ? "; resuming from the other checkpoint" : "");
   }
   if (found.finished) {
     if (!options.quiet) {
-      fmt::print("{}: the run is finished{}\n", options.folder,
-                 found.completed ? "; its analysis was missing and has been made" : "");
+      say("{}: the run is finished{}\n", options.folder,
+          found.completed ? "; its analysis was missing and has been made" : "");
     }
     return 0;
   }
   Simulation simulation(found.scene, threads_for(found.scene, options.threads));
   const auto frames =
       found.checkpoint ? damaged_frames(options.folder, found.checkpoint->frames()) : std::vector<std::string>();
-  for (const auto& problem : frames) fmt::print(stderr, "repose: {}; this frame is lost\n", problem);
+  for (const auto& problem : frames) complain("repose: {}; this frame is lost\n", problem);
   auto folder = resumed_folder(options.folder, found, simulation);
   if (!options.quiet) {
-    fmt::print("resumed          at time {:.6g}, step {}{}\n", simulation.time(), simulation.steps(),
-               found.checkpoint ? "" : ": no checkpoint existed yet");
-    fmt::print("threads          {}\noutput           {}\n", simulation.threads(), options.folder);
+    say("resumed          at time {:.6g}, step {}{}\n", simulation.time(), simulation.steps(),
+        found.checkpoint ? "" : ": no checkpoint existed yet");
+    say("threads          {}\noutput           {}\n", simulation.threads(), options.folder);
   }
   return carry_out(simulation, *folder, options.quiet);
 }
@@ -62,7 +62,8 @@ Verb resume_verb() {
           .about = "Continue an interrupted run, to the same bits as if it had never stopped",
           .details = "The run may have been stopped by Ctrl-C or killed at any moment. A finished run stays as it is.",
           .arguments = {folder_argument(options->folder, "Run folder"),
-                        threads_argument(options->threads, "Threads (default: as many as have enough to do)"),
+                        threads_argument(options->threads,
+                                         "Threads, at most one per core (default: as many as have enough to do)"),
                         quiet_argument(options->quiet)},
           .examples = {{"repose resume heap", "Continue the run in the folder heap"}},
           .act = [options] { return act(*options); }};

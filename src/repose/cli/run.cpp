@@ -3,10 +3,9 @@
 #include "repose/cli/carry_out.hpp"
 #include "repose/cli/common_arguments.hpp"
 #include "repose/cli/describe.hpp"
+#include "repose/cli/say.hpp"
 #include "repose/cli/verbs.hpp"
 #include "repose/core/errors.hpp"
-
-#include <fmt/format.h>
 
 #include <filesystem>
 #include <memory>
@@ -20,6 +19,7 @@ struct RunOptions {
   std::string out;
   int threads = 0;
   bool overwrite = false;
+  bool beyond_memory = false;
   bool quiet = false;
 };
 
@@ -33,12 +33,13 @@ int act(const RunOptions& options) {
     problems.insert(problems.begin(), error.problems().begin(), error.problems().end());
   }
   if (!problems.empty()) throw InputError(problems);
+  if (!options.beyond_memory) check_memory(*scene, options.scene.file);
 
   Simulation simulation(*scene, threads_for(*scene, options.threads));
   RunFolder folder(out, simulation);
   if (!options.quiet) {
-    fmt::print("{}", describe(*scene));
-    fmt::print("threads          {}\noutput           {}\n", simulation.threads(), out);
+    say("{}", describe(*scene));
+    say("threads          {}\noutput           {}\n", simulation.threads(), out);
   }
   return carry_out(simulation, folder, options.quiet);
 }
@@ -60,8 +61,12 @@ Verb run_verb() {
                          .about = "Folder to write (default: the name of the scene, here)",
                          .target = &options->out,
                          .completes = Completion::folders},
-                        threads_argument(options->threads, "Threads (default: as many as have enough to do)"),
+                        threads_argument(options->threads,
+                                         "Threads, at most one per core (default: as many as have enough to do)"),
                         overwrite_argument(options->overwrite, "Replace a run that the folder already holds"),
+                        {.name = "--beyond-memory",
+                         .about = "Run it though it seems to need more memory than the machine has",
+                         .target = &options->beyond_memory},
                         quiet_argument(options->quiet)},
           .examples = {{"repose run examples/heap.toml --out heap", "Pour a heap and write the folder heap"},
                        {"repose run examples/heap.toml --out rough --seed 2 --set contact.friction=0.8",

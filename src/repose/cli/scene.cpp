@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/cli/say.hpp"
 #include "repose/cli/verbs.hpp"
 #include "repose/scene/starting_scene.hpp"
 
@@ -30,7 +31,7 @@ std::vector<std::string> names_of_kinds() {
 }
 
 int act(const std::string& kind) {
-  fmt::print("{}", kind.empty() ? list_of_kinds() : starting_scene(kind));
+  say("{}", kind.empty() ? list_of_kinds() : starting_scene(kind));
   return 0;
 }
 

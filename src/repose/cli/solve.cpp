@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/cli/common_arguments.hpp"
+#include "repose/cli/say.hpp"
 #include "repose/cli/verbs.hpp"
 #include "repose/contact_problem/contact_solution.hpp"
 #include "repose/core/errors.hpp"
 #include "repose/io/folders.hpp"
+#include "repose/io/named_file.hpp"
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -45,13 +46,12 @@ void check_out(const SolveOptions& options) {
 
 void report(const ContactProblem& solved, const ContactSolution& done) {
   const auto& residual = done.residual;
-  fmt::print("contacts            {} between {} bodies\n", solved.problem.contacts.size(),
-             solved.problem.bodies.size());
-  fmt::print("sweeps              {}, forward and backward\n", done.solution.sweeps);
-  fmt::print("contact-iterations  {:.4g}\n", ContactSolution::contact_iterations(solved, done.solution));
-  fmt::print("solver CPU time     {:.4g} s\n", done.cpu_seconds);
-  fmt::print("residual            {:.3g} g dt: normal {:.3g}, tangential {:.3g}, rolling {:.3g}\n", residual.worst(),
-             residual.normal, residual.tangential, residual.rolling);
+  say("contacts            {} between {} bodies\n", solved.problem.contacts.size(), solved.problem.bodies.size());
+  say("sweeps              {}, forward and backward\n", done.solution.sweeps);
+  say("contact-iterations  {:.4g}\n", ContactSolution::contact_iterations(solved, done.solution));
+  say("solver CPU time     {:.4g} s\n", done.cpu_seconds);
+  say("residual            {:.3g} g dt: normal {:.3g}, tangential {:.3g}, rolling {:.3g}\n", residual.worst(),
+      residual.normal, residual.tangential, residual.rolling);
 }
 
 int act(const SolveOptions& options) {
@@ -60,11 +60,11 @@ int act(const SolveOptions& options) {
   auto settings = options.settings;
   settings.accelerated = options.solver == "accelerated";
   const auto done = solve(posed, settings, options.warm);
-  if (!options.out.empty()) write_contact_solution(options.out, posed, done);
+  if (!options.out.empty()) write_contact_solution(followed(options.out), posed, done);
   if (!options.quiet) report(posed, done);
   if (!done.solution.converged) {
-    fmt::print(stderr, "{}: the tolerance of {:g} was not reached in {} sweeps: the residual is {:.3g}\n", options.file,
-               settings.tolerance, done.solution.sweeps, done.residual.worst());
+    complain("{}: the tolerance of {:g} was not reached in {} sweeps: the residual is {:.3g}\n", options.file,
+             settings.tolerance, done.solution.sweeps, done.residual.worst());
   }
   return 0;
 }

@@ -1,18 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/cli/carry_out.hpp"
 #include "repose/cli/common_arguments.hpp"
+#include "repose/cli/say.hpp"
 #include "repose/cli/signals.hpp"
 #include "repose/cli/sweep_view.hpp"
 #include "repose/cli/verbs.hpp"
 #include "repose/core/errors.hpp"
+#include "repose/io/machine.hpp"
+#include "repose/simulation/expectation.hpp"
 #include "repose/sweep/members.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <thread>
 
 namespace repose {
 
@@ -39,18 +40,28 @@ std::string folder_for(const SweepOptions& options) {
   return file.stem().string();
 }
 
+/// As many members side by side as are wanted and fit into memory. Throws InputError if one alone does not.
+int processes_for(const SweepPlan& plan, int wanted) {
+  double largest = 1.0;
+  for (const auto& point : plan.points) {
+    check_memory(point.scene, point.name);
+    largest = std::max(largest, expected_memory(point.scene));
+  }
+  const auto most = static_cast<double>(std::min(wanted, machine_threads()));
+  return static_cast<int>(std::clamp(machine_memory() / largest, 1.0, most));
+}
+
 int act(const SweepOptions& options) {
   const auto out = folder_for(options);
   auto plan = read_sweep(options.file);
   const auto problems = SweepFolder::problems(out, plan, options.overwrite);
   if (!problems.empty()) throw InputError(problems);
   if (options.dry) {
-    fmt::print("{}", describe_plan(plan));
+    say("{}", describe_plan(plan));
     return 0;
   }
+  const int wanted = processes_for(plan, options.processes > 0 ? options.processes : machine_threads());
   const SweepFolder folder(out, options.file, std::move(plan), options.overwrite);
-  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const int wanted = options.processes > 0 ? options.processes : cores;
   Sweep sweep(folder, std::min(wanted, static_cast<int>(folder.members().size())));
   catch_signals();
   SweepView view(folder, sweep, options.quiet);
@@ -58,7 +69,7 @@ int act(const SweepOptions& options) {
   view.finish();
   const auto table = folder.table();
   folder.write(table);
-  if (!options.quiet) fmt::print("{}", describe_table(folder, table));
+  if (!options.quiet) say("{}", describe_table(folder, table));
   if (interrupted) return exit_interrupted;
   return sweep.count(MemberProgress::Stage::failed) > 0 ? exit_run_trouble : 0;
 }
@@ -82,7 +93,8 @@ Verb sweep_verb() {
                          .about = "Folder to write or to continue (default: the name of the file, here)",
                          .target = &options->out,
                          .completes = Completion::folders},
-                        threads_argument(options->processes, "Members that run side by side (default: one per core)"),
+                        threads_argument(options->processes,
+                                         "Members that run side by side, at most one per core (default)"),
                         overwrite_argument(options->overwrite, "Remove a sweep that the folder already holds"),
                         {.name = "--check",
                          .about = "Check the sweep and describe its runs, without running",

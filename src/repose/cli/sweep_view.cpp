@@ -5,6 +5,7 @@
 #include "repose/analysis/bootstrap.hpp"
 #include "repose/analysis/statistics.hpp"
 #include "repose/cli/progress.hpp"
+#include "repose/cli/say.hpp"
 #include "repose/simulation/expectation.hpp"
 
 #include <fmt/format.h>
@@ -144,10 +145,10 @@ SweepView::SweepView(const SweepFolder& folder, const Sweep& sweep, bool quiet)
       share_at_start_(sweep.fraction()),
       results_(folder.members().size()) {
   if (quiet_) return;
-  fmt::print("{}", describe_plan(folder.plan()));
+  say("{}", describe_plan(folder.plan()));
   const auto earlier = sweep.count(Stage::finished) + sweep.count(Stage::failed);
-  if (earlier > 0) fmt::print("resuming         {} members have already ended and are kept\n", earlier);
-  fmt::print("output           {}\n", folder.path());
+  if (earlier > 0) say("resuming         {} members have already ended and are kept\n", earlier);
+  say("output           {}\n", folder.path());
   std::fflush(stdout);
   for (std::size_t k = 0; k < results_.size(); ++k) {
     if (sweep.progress()[k].stage == Stage::finished) read_results(k);
@@ -173,7 +174,7 @@ void SweepView::ended(std::size_t member) {
   const auto& progress = sweep_.progress()[member];
   if (progress.stage == Stage::failed) {
     finish();
-    fmt::print(stderr, "{}: failed: {}\n", member_name(member), progress.message);
+    complain("{}: failed: {}\n", member_name(member), progress.message);
   } else {
     read_results(member);
   }
@@ -186,7 +187,7 @@ void SweepView::ended(std::size_t member) {
     if (value == results_[member].end() || std::isnan(value->second)) continue;
     text += fmt::format(", {} {:.{}f}", column.head, value->second, column.decimals);
   }
-  fmt::print("{}; {} left\n", text, time_left());
+  say("{}; {} left\n", text, time_left());
   std::fflush(stdout);
 }
 
@@ -230,13 +231,13 @@ void SweepView::tick() {
   last_ = now;
   finish();
   const auto text = live_table();
-  fmt::print("{}", text);
+  say("{}", text);
   std::fflush(stdout);
   lines_drawn_ = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
 void SweepView::finish() {
-  if (lines_drawn_ > 0) fmt::print("\033[{}A\033[J", lines_drawn_);
+  if (lines_drawn_ > 0) say("\033[{}A\033[J", lines_drawn_);
   std::fflush(stdout);
   lines_drawn_ = 0;
 }

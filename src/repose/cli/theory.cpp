@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/cli/python.hpp"
+#include "repose/cli/say.hpp"
 #include "repose/cli/verbs.hpp"
 #include "repose/core/errors.hpp"
-#include "repose/io/whole_file.hpp"
+#include "repose/io/named_file.hpp"
 #include "repose/theory/models.hpp"
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -53,20 +53,14 @@ void check_folder_of(const std::string& file) {
 void check_picture(const std::string& file) {
   check_folder_of(file);
   const auto kind = std::filesystem::path{file}.extension();
-  if (kind != ".png" && kind != ".svg" && kind != ".pdf") {
-    throw InputError(fmt::format("{}: must end in .png, .svg or .pdf", file));
+  if (kind != ".png" && kind != ".svg" && kind != ".pdf" && kind != ".eps") {
+    throw InputError(fmt::format("{}: must end in .png, .svg, .pdf or .eps", file));
   }
-}
-
-void write_table(const std::string& file, const std::string& csv) {
-  WholeFile whole{file};
-  whole.write(csv);
-  whole.commit();
 }
 
 int act(const TheoryOptions& options) {
   if (options.list) {
-    fmt::print("{}", theory::list_of_models());
+    say("{}", theory::list_of_models());
     return 0;
   }
   if (options.model.empty())
@@ -77,10 +71,9 @@ int act(const TheoryOptions& options) {
   const auto model = theory::make_model(options.model, split(options.settings));
   const auto table = theory::predict(model);
   if (to_file) {
-    write_table(options.csv, as_csv(model, table));
+    write_named_file(options.csv, as_csv(model, table));
   } else if (options.csv == "-" || options.plot.empty()) {
-    fmt::print("{}", as_csv(model, table));
-    std::fflush(stdout);
+    say("{}", as_csv(model, table));
   }
   if (options.plot.empty()) return 0;
   std::vector<std::string> words = {options.model, "--plot", options.plot};
@@ -119,7 +112,7 @@ Verb theory_verb() {
                          .completes = Completion::files},
                         {.name = "--plot",
                          .value = "FILE",
-                         .about = "File to draw a picture to: .png, .svg or .pdf",
+                         .about = "File to draw a picture to: .png, .svg, .pdf or .eps",
                          .target = &options->plot,
                          .completes = Completion::files},
                         {.name = "--list", .about = "List models, parameters and sources", .target = &options->list}},

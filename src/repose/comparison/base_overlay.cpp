@@ -51,6 +51,7 @@ Json finished_summary(const std::string& folder) {
     throw InputError(fmt::format("{}: does not describe the last state of the run; `repose analyse {}` writes it again",
                                  path, folder));
   }
+  check_belongs(Hdf5Reader(folder + "/analysis.h5"), facts);
   return json;
 }
 

@@ -11,8 +11,10 @@ namespace {
 
 /// Makes control characters visible, which a file may bring into a message, so that a problem stays on one line.
 std::string on_one_line(const std::string& text) {
+  constexpr std::size_t longest = 4000;  // more than any path
   std::string line;
   for (const char c : text) {
+    if (line.size() >= longest) return line + " ...";
     const auto code = static_cast<unsigned char>(c);
     if (code >= 0x20 && code != 0x7f) {
       line += c;
@@ -31,9 +33,12 @@ std::vector<std::string> on_one_line_each(std::vector<std::string> problems) {
   return problems;
 }
 
+/// The first lines, and how many others there are.
 std::string joined(const std::vector<std::string>& lines) {
+  constexpr std::size_t most_shown = 50;
   std::string all;
-  for (const auto& line : lines) all += (all.empty() ? "" : "\n") + line;
+  for (std::size_t k = 0; k < lines.size() && k < most_shown; ++k) all += (k == 0 ? "" : "\n") + lines[k];
+  if (lines.size() > most_shown) all += "\n... and " + std::to_string(lines.size() - most_shown) + " more problems";
   return all;
 }
 

@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -51,7 +52,7 @@ std::vector<std::string> folder_problems(const std::string& path) {
 }
 
 FolderLock::FolderLock(const std::string& path, double patience)
-    : descriptor_(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    : path_(path), descriptor_(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
   if (descriptor_ < 0 && (errno == ENOENT || errno == ENOTDIR)) {
     throw InputError(fmt::format("{}: no such folder", path));
   }
@@ -65,6 +66,16 @@ FolderLock::FolderLock(const std::string& path, double patience)
   } while (Clock::now() < end);
   ::close(descriptor_);
   throw InputError(fmt::format("{}: a run is being written here by another program", path));
+}
+
+void FolderLock::check_place() const {
+  struct stat locked {};
+  struct stat named {};
+  const bool same = ::fstat(descriptor_, &locked) == 0 && ::stat(path_.c_str(), &named) == 0 &&
+                    locked.st_dev == named.st_dev && locked.st_ino == named.st_ino;
+  if (!same) {
+    throw RunError(fmt::format("{}: this folder was moved or deleted while the program wrote into it", path_));
+  }
 }
 
 FolderLock::~FolderLock() { ::close(descriptor_); }

@@ -28,7 +28,12 @@ class FolderLock {
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
 
+  /// Throws RunError if the folder has been moved or deleted since it was locked: what is written by its name would lie
+  /// in another one.
+  void check_place() const;
+
  private:
+  std::string path_;
   int descriptor_;
 };
 

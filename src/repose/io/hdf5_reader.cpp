@@ -4,6 +4,7 @@
 
 #include "repose/core/errors.hpp"
 #include "repose/io/hdf5_handle.hpp"
+#include "repose/io/named_file.hpp"
 #include "repose/io/seal.hpp"
 
 #include <fmt/format.h>
@@ -18,6 +19,7 @@ Hdf5Reader::Hdf5Reader(std::string path, Sealing sealing) : path_(std::move(path
   set_up_hdf5();
   std::error_code error;
   if (!std::filesystem::exists(path_, error)) throw InputError(fmt::format("{}: no such file", path_));
+  if (const auto why = why_not_readable(path_); !why.empty()) throw InputError(fmt::format("{}: {}", path_, why));
   const bool unsealed = sealing == Sealing::optional && !is_sealed(path_);
   if (const auto broken = unsealed ? "" : broken_seal(path_); !broken.empty()) {
     throw InputError(fmt::format("{}: {}", path_, broken));
@@ -35,13 +37,14 @@ void Hdf5Reader::fail(const std::string& object, const std::string& what) const 
 }
 
 bool Hdf5Reader::has(const std::string& name) const {
-  // Every group of the path must be checked, and a link may be dangling.
-  for (auto slash = name.find('/'); slash != std::string::npos; slash = name.find('/', slash + 1)) {
-    if (slash > 0 && H5Lexists(file_, name.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) return false;
+  // Every group of the path must exist before the next step is asked for.
+  for (std::size_t end = 0; end != std::string::npos;) {
+    end = name.find('/', end + 1);
+    H5L_info_t link{};
+    if (H5Lget_info(file_, name.substr(0, end).c_str(), &link, H5P_DEFAULT) < 0) return false;
+    if (link.type != H5L_TYPE_HARD) return false;
   }
-  if (H5Lexists(file_, name.c_str(), H5P_DEFAULT) <= 0) return false;
-  const Handle object(H5Oopen(file_, name.c_str(), H5P_DEFAULT), H5Oclose);
-  return !object.failed();
+  return true;
 }
 
 namespace {
@@ -66,6 +69,8 @@ std::string Hdf5Reader::text(const std::string& object, const std::string& attri
     fail(object, fmt::format("attribute {} is not text", attribute));
   }
   if (H5Tis_variable_str(type.id()) > 0) return variable_text(handle.id(), type.id());
+  constexpr std::size_t longest_attribute = 1U << 20;
+  if (H5Tget_size(type.id()) > longest_attribute) fail(object, fmt::format("attribute {} is too long", attribute));
   std::string value(H5Tget_size(type.id()), '\0');
   if (H5Aread(handle.id(), type.id(), value.data()) < 0) {
     fail(object, fmt::format("attribute {} cannot be read", attribute));
@@ -99,6 +104,22 @@ std::int64_t Hdf5Reader::integer(const std::string& object, const std::string& a
   return value;
 }
 
+namespace {
+
+/// Whether a dataset of `rows` times `row_size` bytes can be in its file: what is stored of it is all of it, and
+/// compressed by no more than deflate can.
+bool fits_its_content(hid_t dataset, hsize_t rows, hsize_t row_size) {
+  constexpr hsize_t most_compression = 1100;
+  const Handle layout(H5Dget_create_plist(dataset), H5Pclose);
+  const bool chunked = !layout.failed() && H5Pget_layout(layout.id()) == H5D_CHUNKED;
+  const hsize_t most = H5Dget_storage_size(dataset) * (chunked ? most_compression : 1);
+  return row_size == 0 || rows <= most / row_size;
+}
+
+constexpr const char* larger_than_content = "is larger than its content: damaged";
+
+}  // namespace
+
 template <class T>
 std::vector<T> Hdf5Reader::dataset(const std::string& name, std::size_t columns) const {
   return read<T>(name, columns, columns == 1 ? 1 : 2);
@@ -111,7 +132,7 @@ std::vector<T> Hdf5Reader::table(const std::string& name, std::size_t columns) c
 
 template <class T>
 std::vector<T> Hdf5Reader::read(const std::string& name, std::size_t columns, int wanted) const {
-  const Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle dataset(has(name) ? H5Dopen2(file_, name.c_str(), H5P_DEFAULT) : -1, H5Dclose);
   if (dataset.failed()) fail(name, "no such dataset");
   const Handle space(H5Dget_space(dataset.id()), H5Sclose);
   std::array<hsize_t, 2> shape{1, 1};
@@ -120,6 +141,8 @@ std::vector<T> Hdf5Reader::read(const std::string& name, std::size_t columns, in
     fail(name, wanted == 1 ? std::string("must have one dimension")
                            : fmt::format("must have two dimensions, with {} columns", columns));
   }
+  const Handle type(H5Dget_type(dataset.id()), H5Tclose);
+  if (!fits_its_content(dataset.id(), shape[0], shape[1] * H5Tget_size(type.id()))) fail(name, larger_than_content);
   std::vector<T> values(shape[0] * shape[1]);
   if (!values.empty() && H5Dread(dataset.id(), native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
     fail(name, "cannot be read: damaged, or of another type");
@@ -135,13 +158,14 @@ template std::vector<std::uint16_t> Hdf5Reader::dataset(const std::string&, std:
 template std::vector<std::uint8_t> Hdf5Reader::dataset(const std::string&, std::size_t) const;
 
 std::vector<std::string> Hdf5Reader::texts(const std::string& name) const {
-  const Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle dataset(has(name) ? H5Dopen2(file_, name.c_str(), H5P_DEFAULT) : -1, H5Dclose);
   if (dataset.failed()) fail(name, "no such dataset");
   const Handle type(H5Dget_type(dataset.id()), H5Tclose);
   const Handle space(H5Dget_space(dataset.id()), H5Sclose);
   if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) != 0) fail(name, "is not text");
   const auto count = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id()));
   const auto length = H5Tget_size(type.id());
+  if (!fits_its_content(dataset.id(), count, length)) fail(name, larger_than_content);
   std::string characters(count * length, '\0');
   if (count > 0 && H5Dread(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, characters.data()) < 0) {
     fail(name, "cannot be read");
@@ -156,13 +180,14 @@ std::vector<std::string> Hdf5Reader::texts(const std::string& name) const {
 
 void Hdf5Reader::bytes(const std::string& name, std::size_t item,
                        const std::function<void*(std::size_t count)>& room) const {
-  const Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle dataset(has(name) ? H5Dopen2(file_, name.c_str(), H5P_DEFAULT) : -1, H5Dclose);
   if (dataset.failed()) fail(name, "no such dataset");
   const Handle space(H5Dget_space(dataset.id()), H5Sclose);
   std::array<hsize_t, 2> shape{};
   const bool table =
       H5Sget_simple_extent_ndims(space.id()) == 2 && H5Sget_simple_extent_dims(space.id(), shape.data(), nullptr) == 2;
   if (!table || shape[1] != item) fail(name, "of another size than expected");
+  if (!fits_its_content(dataset.id(), shape[0], item)) fail(name, larger_than_content);
   void* data = room(shape[0]);
   if (data == nullptr && shape[0] > 0) fail(name, "of another size than expected");
   if (shape[0] > 0 && H5Dread(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0) {
@@ -171,7 +196,7 @@ void Hdf5Reader::bytes(const std::string& name, std::size_t item,
 }
 
 std::vector<std::size_t> Hdf5Reader::shape(const std::string& name) const {
-  const Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle dataset(has(name) ? H5Dopen2(file_, name.c_str(), H5P_DEFAULT) : -1, H5Dclose);
   if (dataset.failed()) return {};
   const Handle space(H5Dget_space(dataset.id()), H5Sclose);
   const int rank = H5Sget_simple_extent_ndims(space.id());
@@ -181,11 +206,12 @@ std::vector<std::size_t> Hdf5Reader::shape(const std::string& name) const {
 }
 
 Hdf5Reader::Values Hdf5Reader::values(const std::string& name) const {
-  const Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle dataset(has(name) ? H5Dopen2(file_, name.c_str(), H5P_DEFAULT) : -1, H5Dclose);
   if (dataset.failed()) fail(name, "no such dataset");
   const Handle type(H5Dget_type(dataset.id()), H5Tclose);
   const Handle space(H5Dget_space(dataset.id()), H5Sclose);
   const auto count = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id()));
+  if (!fits_its_content(dataset.id(), count, H5Tget_size(type.id()))) fail(name, larger_than_content);
   const auto read_as = [&](auto kind) -> Values {
     using T = decltype(kind);
     std::vector<T> values(count);

@@ -24,6 +24,7 @@ class Hdf5Reader {
   Hdf5Reader& operator=(const Hdf5Reader&) = delete;
 
   const std::string& path() const { return path_; }
+  /// Whether an object lies in the file itself, not behind a link to another one.
   bool has(const std::string& name) const;
   std::string text(const std::string& object, const std::string& attribute) const;
   double number(const std::string& object, const std::string& attribute) const;

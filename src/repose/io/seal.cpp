@@ -4,6 +4,7 @@
 
 #include "repose/core/errors.hpp"
 #include "repose/io/hash.hpp"
+#include "repose/io/named_file.hpp"
 
 #include <fmt/format.h>
 
@@ -55,6 +56,7 @@ bool is_sealed(const std::string& path) {
 }
 
 std::string broken_seal(const std::string& path) {
+  if (const auto why = why_not_readable(path); !why.empty()) return why;
   std::ifstream file(path, std::ios::binary);
   if (!file) return "cannot be read";
   std::string found(seal_size, '\0');

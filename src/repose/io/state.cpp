@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/io/state.hpp"
 
+#include "repose/core/errors.hpp"
 #include "repose/io/hash.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <tuple>
 
 namespace repose {
@@ -82,6 +86,12 @@ Grains<D> read_grains(const Hdf5Reader& file) {
   Grains<D> grains;
   grains.reserve(rows.size());
   for (const auto& row : rows) {
+    const bool sound = std::isfinite(row.radius) && row.radius > 0.0 && std::isfinite(row.mass) && row.mass > 0.0 &&
+                       std::isfinite(dot(row.position, row.position));
+    if (!sound) {
+      throw InputError(
+          fmt::format("{}: grains: {} has no finite position, or no radius and mass > 0", file.path(), row.id));
+    }
     Grain<D> grain;
     grain.position = row.position;
     grain.velocity = row.velocity;

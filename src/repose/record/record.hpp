@@ -62,6 +62,7 @@ struct RunFacts {
   std::int64_t released = 0;
   std::int64_t lost = 0;
   std::string state_hash;      ///< of the exact state, see io/state.hpp
+  std::string scene_hash;      ///< of the text of the scene that is run: the same in every file of a run
   double support_force = 0.0;  ///< [M L/T^2] downward force on fixed grains (mean over the window) and walls (now)
 };
 

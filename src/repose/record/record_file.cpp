@@ -65,8 +65,11 @@ void check_partners(const std::string& path, const OrderedGrains<2>& grains, con
                     std::size_t walls) {
   const auto& id = grains->id;
   const auto number_of_walls = static_cast<std::int64_t>(walls);
+  if (const auto twice = std::adjacent_find(id.begin(), id.end()); twice != id.end()) {
+    throw InputError(fmt::format("{}: grains/id: {} is the id of two grains", path, *twice));
+  }
   const bool sound =
-      std::is_sorted(id.begin(), id.end(), std::less_equal<>()) &&
+      std::is_sorted(id.begin(), id.end()) &&
       std::all_of(contacts.list.begin(), contacts.list.end(), [&](const auto& contact) {
         return grains.find(contact.first) &&
                (contact.second < 0 ? contact.second >= -number_of_walls : grains.find(contact.second).has_value());
@@ -98,6 +101,11 @@ void write_record(const std::string& path, const Record& record, const std::vect
   link("frames", frames);
   link("track", segments);
   file.commit();
+}
+
+void check_belongs(const Hdf5Reader& file, const RunFacts& run) {
+  if (run.scene_hash.empty() || file.text_or("/", "scene_hash", run.scene_hash) == run.scene_hash) return;
+  throw InputError(fmt::format("{}: belongs to another run than the run.h5 of this folder", file.path()));
 }
 
 BaseProfile read_base(const Hdf5Reader& file) {
@@ -164,7 +172,7 @@ Record read_record(const std::string& folder) {
   record.base = read_base(file);
   if (file.has("track")) {
     for (const auto& name : file.names_in("track")) {
-      read_track_segment(fmt::format("{}/track/{}.h5", folder, name), record.track);
+      read_track_segment(fmt::format("{}/track/{}.h5", folder, name), record.facts.scene_hash, record.track);
     }
   }
   return record;

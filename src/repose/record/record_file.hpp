@@ -35,6 +35,9 @@ Record read_record(const std::string& folder);
 void check_partners(const std::string& path, const OrderedGrains<2>& grains, const Contacts<2>& contacts,
                     std::size_t walls);
 
+/// Throws InputError if a file of a run folder belongs to another run than its run.h5.
+void check_belongs(const Hdf5Reader& file, const RunFacts& run);
+
 /// The base profile of a run.h5; empty where there is none. Throws InputError.
 BaseProfile read_base(const Hdf5Reader& file);
 

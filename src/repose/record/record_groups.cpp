@@ -11,6 +11,12 @@ const Attributes<Record>& run_attributes() {
     return attribute<Record>(
         name, [=](auto& record) -> auto& { return record.facts.*member; }, unit, meaning);
   };
+  // Files of older programs have no hash of their scene.
+  auto scene_hash = fact("scene_hash", &RunFacts::scene_hash, "",
+                         "of the text of `/scene`, the same in every file of a run: a file of another run is refused");
+  scene_hash.read = [](const Hdf5Reader& file, const std::string& object, Record& record) {
+    record.facts.scene_hash = file.text_or(object, "scene_hash", "");
+  };
   static const Attributes<Record> list{
       attribute<Record>(
           "format", [](const Record&) { return std::string(run_format); }, "", "\"repose-run\""),
@@ -44,6 +50,7 @@ const Attributes<Record>& run_attributes() {
       fact("support_force", &RunFacts::support_force, "M L/T^2",
            "downward, on fixed grains (mean over the window) and walls (at that time)"),
       fact("state_hash", &RunFacts::state_hash, "", "of the exact state ([summary.md](summary.md))"),
+      scene_hash,
       attribute<Record>(
           "gravity",
           [](const Record& r) {

@@ -45,20 +45,25 @@ const Columns<std::vector<TrackedGrain>>& track_grain_columns() {
   return list;
 }
 
-void write_track_segment(const std::string& path, const Track& track, std::size_t first) {
+void write_track_segment(const std::string& path, const std::string& scene_hash, const Track& track,
+                         std::size_t first) {
   const Track segment(track.begin() + static_cast<std::ptrdiff_t>(first), track.end());
   std::vector<TrackedGrain> grains;
   for (const auto& moment : segment) grains.insert(grains.end(), moment.grains.begin(), moment.grains.end());
   Hdf5File file(path);
+  file.attribute("/", "scene_hash", scene_hash);
   write_columns(file, "", track_moment_columns(), segment);
   write_columns(file, "", track_grain_columns(), grains);
   file.commit();
 }
 
-void read_track_segment(const std::string& path, Track& track) {
+void read_track_segment(const std::string& path, const std::string& scene_hash, Track& track) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw InputError(fmt::format("{}: is missing", path));
   const Hdf5Reader file(path);
+  if (!scene_hash.empty() && file.text_or("/", "scene_hash", scene_hash) != scene_hash) {
+    throw InputError(fmt::format("{}: belongs to another run", path));
+  }
   Track segment;
   read_columns(file, "", track_moment_columns(), segment);
   std::vector<TrackedGrain> grains;

@@ -15,10 +15,10 @@ namespace repose {
 const Columns<Track>& track_moment_columns();
 const Columns<std::vector<TrackedGrain>>& track_grain_columns();
 
-/// Writes a segment of the track: the moments from `first` on. Throws RunError.
-void write_track_segment(const std::string& path, const Track& track, std::size_t first);
+/// Writes a segment of the track: the moments from `first` on, with the hash of the scene. Throws RunError.
+void write_track_segment(const std::string& path, const std::string& scene_hash, const Track& track, std::size_t first);
 
-/// Adds the moments of a segment to a track. Throws InputError.
-void read_track_segment(const std::string& path, Track& track);
+/// Adds the moments of a segment to a track. Throws InputError, also if it is that of another scene ("": unknown).
+void read_track_segment(const std::string& path, const std::string& scene_hash, Track& track);
 
 }  // namespace repose

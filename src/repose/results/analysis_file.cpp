@@ -58,6 +58,8 @@ void write_analysis(const std::string& path, const Record& record, const Results
   file.attribute("/", "format_version", std::int64_t{1});
   file.attribute("/", "repose_version", std::string(version));
   file.attribute("/", "time", record.facts.time);
+  file.attribute("/", "state_hash", record.facts.state_hash);
+  file.attribute("/", "scene_hash", record.facts.scene_hash);
   write_group(file, measure_group(), rows_of(run));
   for (const auto& group : analysis_groups()) group.write(file, run);
   file.commit();

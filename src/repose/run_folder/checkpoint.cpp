@@ -5,6 +5,7 @@
 #include "repose/core/errors.hpp"
 #include "repose/core/version.hpp"
 #include "repose/io/folders.hpp"
+#include "repose/io/hash.hpp"
 #include "repose/io/hdf5_archive.hpp"
 #include "repose/io/seal.hpp"
 #include "repose/record/record_file.hpp"
@@ -113,7 +114,7 @@ FolderState Checkpoint::restore(Simulation& simulation) const {
   Track track;
   FolderState state = state_;
   for (std::size_t k = 0; k < state_.segments; ++k) {
-    read_track_segment(fmt::format("{}/track/{}.h5", folder_, numbered(k)), track);
+    read_track_segment(fmt::format("{}/track/{}.h5", folder_, numbered(k)), hash_of(scene_), track);
   }
   state.moments = track.size();
   ArchiveReader archive(file_, "state");

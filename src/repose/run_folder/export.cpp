@@ -59,6 +59,7 @@ Moment with_stress(Moment moment, const Record& run, const std::vector<RecordedW
 
 Moment read_frame(const std::string& path, const Record& last) {
   const Hdf5Reader file(path);
+  check_belongs(file, last.facts);
   Moment moment{
       file.number("/", "time"), file.integer("/", "steps"), {read_grains<2>(file), last.box}, read_contacts<2>(file)};
   check_partners(path, moment.grains, moment.contacts, last.walls.size());
@@ -158,11 +159,21 @@ void export_ovito(const ExportOrder& order, const std::string& folder, Exported&
   done.files = {"grains.dump", "contacts.dump"};
 }
 
+/// Throws InputError if an analysis.h5 is not that of the last state. Other files pass.
+void check_analysis(const Hdf5Reader& file, const RunFacts& run) {
+  check_belongs(file, run);
+  if (file.text_or("/", "state_hash", run.state_hash) == run.state_hash) return;
+  throw InputError(fmt::format("{}: is not the analysis of the last state of the run; `repose analyse` writes it again",
+                               file.path()));
+}
+
 void export_csv(const ExportOrder& order, const std::string& folder, Exported& done) {
+  const auto facts = read_run_facts(order.folder);
   for (const auto* name : {"run.h5", "analysis.h5"}) {
     const auto path = order.folder + "/" + name;
     if (!path_exists(path)) continue;  // nobody has analysed the run
     const Hdf5Reader file(path);
+    check_analysis(file, facts);
     const std::string prefix = file.text("/", "format") == "repose-run" ? "" : "analysis_";
     for (const auto& table : csv_tables(file)) {
       done.files.push_back(prefix + table.name + ".csv");
@@ -232,6 +243,9 @@ Exported export_run(const ExportOrder& order) {
       fs::remove(made, error);
     }
   };
+  fs::create_directories(done.folder, error);
+  if (error) throw RunError(fmt::format("{}: cannot write: {}", done.folder, error.message()));
+  const FolderLock lock(done.folder);  // two exports at once would mix their files
   try {
     fs::create_directories(beside);
     if (order.to == "vtk") export_vtk(order, beside, done);

@@ -27,11 +27,11 @@ Status status_in(const std::string& folder) {
 }
 
 /// The last file of a finished run is its summary. Where a kill came between run.h5 and that, what is missing is made.
-bool complete_analysis(const std::string& folder) {
+bool complete_analysis(const std::string& folder, const FolderLock& lock) {
   const auto path = folder + "/summary.json";
   if (path_exists(path) && summary_status(text_of_file(path)) == status_text(Status::finished)) return false;
   const auto record = read_record(folder);
-  write_results(folder, record, analyse(record));
+  write_results(folder, lock, record, analyse(record));
   return true;
 }
 
@@ -52,7 +52,7 @@ InterruptedRun find_interrupted(const std::string& folder) {
   }
   if (status == Status::finished) {
     run.finished = true;
-    run.completed = complete_analysis(folder);
+    run.completed = complete_analysis(folder, *run.lock);
     remove_checkpoints(folder);
     return run;
   }

@@ -3,7 +3,9 @@
 #include "repose/run_folder/run_folder.hpp"
 
 #include "repose/core/errors.hpp"
+#include "repose/core/failure.hpp"
 #include "repose/io/folders.hpp"
+#include "repose/io/hash.hpp"
 #include "repose/io/hdf5_file.hpp"
 #include "repose/io/state.hpp"
 #include "repose/record/record_file.hpp"
@@ -108,7 +110,7 @@ RunFolder::RunFolder(std::string path, const Simulation& simulation, std::unique
   } catch (const std::exception& failure) {
     for (const auto& remains : {beside, whole}) fs::remove_all(remains, error);
     for (auto made = fs::absolute(target); made != ancestor; made = made.parent_path()) fs::remove(made, error);
-    std::string why = failure.what();
+    std::string why = message_of(failure);
     if (why.starts_with(beside)) why.replace(0, beside.size(), target);
     throw InputError(why);
   }
@@ -133,6 +135,7 @@ class RunFolder::Frames final : public Observer {
   void observe(const Simulation& simulation) override {
     if (simulation.status() != Status::running) return;
     const auto record = simulation.record();
+    folder_.lock_->check_place();
     folder_.write_track(simulation);
     folder_.write_frame(record);
     folder_.write_run(record);
@@ -147,6 +150,7 @@ void RunFolder::run(Simulation& simulation, const std::atomic<bool>& interrupt) 
   simulation.add(std::make_unique<Frames>(*this, Every(simulation.scene().output.frames, simulation.time_steps())));
   simulation.run([&] {
     const bool last = interrupt;
+    lock_->check_place();
     keep(simulation, last);
     return !last;
   });
@@ -174,7 +178,8 @@ void RunFolder::write_track(const Simulation& simulation) {
   std::error_code error;
   fs::create_directories(path_ + "/track", error);
   const auto name = numbered(segments_.size());
-  write_track_segment(fmt::format("{}/track/{}.h5", path_, name), simulation.track(), moments_written_);
+  write_track_segment(fmt::format("{}/track/{}.h5", path_, name), hash_of(scene_text(simulation.scene())),
+                      simulation.track(), moments_written_);
   moments_written_ = simulation.track().size();
   segments_.push_back(name);
 }
@@ -186,6 +191,8 @@ void RunFolder::write_frame(const Record& record) {
   Hdf5File file(fmt::format("{}/frames/{}.h5", path_, name), record.scene.units);
   file.attribute("/", "time", record.facts.time);
   file.attribute("/", "steps", record.facts.steps);
+  file.attribute("/", "state_hash", record.facts.state_hash);
+  file.attribute("/", "scene_hash", record.facts.scene_hash);
   write_grains(file, record.grains);
   write_contacts(file, record.contacts, record.grains, record.scene.method->traits().has_forces());
   file.commit();
@@ -193,20 +200,24 @@ void RunFolder::write_frame(const Record& record) {
 }
 
 void RunFolder::write(const Simulation& simulation, const Written& written) {
+  lock_->check_place();
   write_track(simulation);
   write_run(simulation.record(), written);
   if (simulation.status() == Status::finished || simulation.status() == Status::failed) remove_checkpoints(path_);
 }
 
 void RunFolder::write_run(const Record& record, const Written& written) {
+  lock_->check_place();
   write_record(path_ + "/run.h5", record, frames_, segments_);
   const auto results = analyse(record);
-  write_results(path_, record, results);
+  write_results(path_, *lock_, record, results);
   if (written) written(record, results);
 }
 
-void write_results(const std::string& folder, const Record& record, const Results& results) {
+void write_results(const std::string& folder, const FolderLock& lock, const Record& record, const Results& results) {
+  lock.check_place();
   write_analysis(folder + "/analysis.h5", record, results);
+  lock.check_place();
   write_text_file(folder + "/summary.json", summary_text(record, results));
 }
 

@@ -68,7 +68,7 @@ class RunFolder {
   double cost_ = 0.0;  // [s] of the last checkpoint
 };
 
-/// Writes what the analysis says, analysis.h5 and then summary.json, into a run folder. Throws RunError.
-void write_results(const std::string& folder, const Record& record, const Results& results);
+/// Writes what the analysis says, analysis.h5 and then summary.json, into a run folder that is locked. Throws RunError.
+void write_results(const std::string& folder, const FolderLock& lock, const Record& record, const Results& results);
 
 }  // namespace repose

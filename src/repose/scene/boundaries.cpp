@@ -92,7 +92,15 @@ void check_motion(const std::string& prefix, const SceneWall& wall, std::size_t 
   if (const auto* direction = wall.motion->direction()) {
     check_direction(prefix + std::string(wall.motion->direction_key()), *direction, problems);
   }
-  if (wall.motion.as<Piston>() == nullptr || !scene.method->traits().force_laws || !problems.none()) return;
+  const auto* piston = wall.motion.as<Piston>();
+  if (piston != nullptr && piston->surface_speed != 0.0 && scene.method->traits().impulse_laws &&
+      problems.sound(prefix + "surface_speed")) {
+    problems.problem(prefix + "surface_speed",
+                     fmt::format(" = {}: contact dynamics lets the surface of a belt run, not "
+                                 "that of a piston",
+                                 piston->surface_speed));
+  }
+  if (piston == nullptr || !scene.method->traits().force_laws || !problems.none()) return;
   check_piston(prefix, make_walls(scene)[number], scene, problems);
 }
 

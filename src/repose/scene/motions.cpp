@@ -88,6 +88,8 @@ Motion BeltWall::motion() const {
 void Piston::piston_keys(Parameters& keys) {
   keys.number("mass", mass, required, positive, "M", "mass of the piston; gravity does not act on it");
   keys.number("drag", drag, not_negative, "M/T", "force against the motion per speed");
+  keys.number("surface_speed", surface_speed, 0.0, any, "L/T",
+              "its surface runs along it as that of a belt: pressure and shear on one wall");
   time_keys(keys);
 }
 
@@ -95,6 +97,8 @@ Motion Piston::piston_motion(Motion::Kind kind) const {
   auto motion = between_times(kind);
   motion.mass = mass;
   motion.drag = drag;
+  motion.surface = surface_speed;
+  motion.axis = 1.0;
   return motion;
 }
 

@@ -100,8 +100,9 @@ struct BeltWall final : KindOf<BeltWall, MovingWall> {
 /// A wall with a mass, which the grains push back.
 class Piston : public MovingWall {
  public:
-  double mass = unset;  ///< [M]
-  double drag = 0.0;    ///< [M/T]
+  double mass = unset;         ///< [M]
+  double drag = 0.0;           ///< [M/T]
+  double surface_speed = 0.0;  ///< [L/T]
 
  protected:
   void piston_keys(Parameters& keys);

@@ -91,9 +91,9 @@ void packing_keys(Scene& scene, Parameters& keys) {
   keys.vector(
       "analysis.slab", analysis.slab, std::array<double, 2>{0.4, 1.4}, "",
       "edges of the slab above the base centres, or above height 0 without base grains, in mean heights of the grains");
-  keys.number("analysis.contact_gap", analysis.contact_gap, traits.contact_gap, not_negative, "diameters",
+  keys.number("analysis.contact_gap", analysis.contact_gap, traits.contact_gap, zero_to_one, "diameters",
               "grains closer than this touch");
-  keys.integer("analysis.direction_bins", analysis.direction_bins, {.low = 1},
+  keys.integer("analysis.direction_bins", analysis.direction_bins, {.low = 1, .high = 36'000},
                "bins of contact directions, over 180 degrees");
   keys.flag("analysis.correlations", analysis.correlations, "pair correlation g(r), and along x and y");
   keys.flag("analysis.structure_factor", analysis.structure_factor, "structure factor S(q)");
@@ -122,6 +122,19 @@ void check_force_scale(const Scene& scene, Problems& problems) {
   if (!problems.sound("analysis.force_scale") || !problems.sound("gravity")) return;
   problems.problem("analysis.force_scale",
                    " = \"weight\": needs gravity > 0; must be \"mean\", or \"given\" with analysis.force");
+}
+
+void check_analysis(const Scene& scene, Problems& problems) {
+  check_slab(scene, problems);
+  if (!scene.method->traits().has_forces() || !problems.sound("grains.diameter")) return;
+  const auto check_length = [&](const std::string& key, double length, double least, double most) {
+    const double in_diameters = length / scene.grains.diameter;
+    if (!problems.sound(key) || (in_diameters >= least && in_diameters <= most)) return;
+    problems.problem(key, fmt::format(" = {}: must be from {} to {} diameters", length, least, most));
+  };
+  check_length("analysis.bin_width", scene.analysis.bin_width, 0.01, 1e6);
+  check_length("analysis.base_bin", scene.analysis.base_bin, 0.01, 1e6);
+  check_length("analysis.field_width", scene.analysis.field_width, 0.05, 1e4);
 }
 
 void check_slab(const Scene& scene, Problems& problems) {

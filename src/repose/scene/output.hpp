@@ -54,6 +54,8 @@ struct AnalysisKeys {
 void output_keys(Scene& scene, Parameters& keys);
 void check_stop(const Scene& scene, Problems& problems);
 void check_force_scale(const Scene& scene, Problems& problems);
+/// Checks the slab, and that lengths of the analysis are such that a heap has a sensible number of bins and cells.
+void check_analysis(const Scene& scene, Problems& problems);
 void check_slab(const Scene& scene, Problems& problems);
 
 }  // namespace repose

@@ -21,4 +21,8 @@ class Problems {
   virtual bool none() const = 0;
 };
 
+/// What is wrong with a title, as it follows the key in a message; "" if nothing is. Files keep titles as attributes,
+/// for which HDF5 has 64 kB.
+std::string title_problem(const std::string& title);
+
 }  // namespace repose

@@ -4,6 +4,7 @@
 
 #include "repose/core/errors.hpp"
 #include "repose/scene/keys.hpp"
+#include "repose/scene/loads.hpp"
 #include "repose/scene/overlaps.hpp"
 #include "repose/scene/reader.hpp"
 #include "repose/scene/start.hpp"
@@ -69,8 +70,15 @@ std::string apply(const std::string& setting, const std::string& origin, toml::t
 
 /// What one key alone cannot tell. A method judges its step last, for which all else must be sound.
 void check_all(const Scene& scene, Problems& problems) {
+  if (const auto what = title_problem(scene.title); !what.empty()) problems.problem("title", what);
+  // Laws are kept for every two materials.
+  constexpr std::size_t most_materials = 100;
+  if (scene.materials.size() > most_materials) {
+    problems.problem("material", fmt::format(": {} materials; at most {}", scene.materials.size(), most_materials));
+    return;
+  }
   check_species(scene, problems);
-  check_slab(scene, problems);
+  check_analysis(scene, problems);
   if (scene.method->traits().has_forces()) {
     check_force_scale(scene, problems);
     check_contact(scene, problems);
@@ -78,6 +86,7 @@ void check_all(const Scene& scene, Problems& problems) {
   check_boundaries(scene, problems);
   check_sources(scene, problems);
   if (scene.method->traits().follows_time) check_stop(scene, problems);
+  check_loads(scene, problems);
   scene.method->check(scene, problems);
 }
 

@@ -4,15 +4,16 @@
 #include "repose/scene/toml_file.hpp"
 
 #include "repose/core/errors.hpp"
+#include "repose/io/named_file.hpp"
 
 #include <fmt/format.h>
 
 #include <cctype>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 
 namespace repose {
 
@@ -76,14 +77,23 @@ BadLines bad_lines(const std::string& text) {
 }  // namespace
 
 std::string text_of_file(const std::string& path) {
+  if (const auto why = why_not_readable(path); !why.empty()) {
+    throw InputError(fmt::format("{}: cannot read: {}", path, why));
+  }
   errno = 0;
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) throw InputError(fmt::format("{}: cannot read: is a folder", path));
-  std::ifstream file(path);
+  std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
-  if (file) text << file.rdbuf();
-  if (!file) throw InputError(fmt::format("{}: cannot read: {}", path, std::strerror(errno != 0 ? errno : EIO)));
-  return text.str();
+  if (file && file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();
+  if (file.bad() || text.bad() || !file.is_open()) {
+    throw InputError(fmt::format("{}: cannot read: {}", path, std::strerror(errno != 0 ? errno : EIO)));
+  }
+  auto content = text.str();
+  if (content.starts_with("\xff\xfe") || content.starts_with("\xfe\xff")) {
+    throw InputError(fmt::format("{}: cannot read: is UTF-16; save it as UTF-8", path));
+  }
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+  if (content.starts_with(byte_order_mark)) content.erase(0, byte_order_mark.size());
+  return content;
 }
 
 toml::table parsed_toml(const std::string& text, const std::string& name) {

@@ -35,7 +35,8 @@ constexpr void check_toml_assumption(bool holds) {
 
 namespace repose {
 
-/// The content of a file; InputError with the system's reason if it cannot be read.
+/// The content of a text file without the mark of its byte order; InputError with the reason if it cannot be read or is
+/// no regular file.
 std::string text_of_file(const std::string& path);
 
 /// Steps of a dotted key, as in contact.normal.law; more are refused, for toml++ visits tables in tables recursively.

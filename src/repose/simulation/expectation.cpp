@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/simulation/expectation.hpp"
 
+#include "repose/record/record.hpp"
+#include "repose/scene/geometry.hpp"
 #include "repose/simulation/sources/initial.hpp"
 
 #include <algorithm>
@@ -17,6 +19,28 @@ double expected_end(const Scene& scene) {
 double expected_work(const Scene& scene, double time) {
   const auto at_start = static_cast<double>(moving_count(initial_grains(scene))) * time;
   return (at_start + scene.source->expected_work(scene, time)) / scene.time_step();
+}
+
+double expected_memory(const Scene& scene) {
+  constexpr double of_program = 5e7;
+  constexpr double of_grain = 2000.0;
+  constexpr double copies = 2.0;  // the record of a run is one
+  constexpr double day = 86400.0;
+  const auto traits = scene.method->traits();
+  const double grains =
+      static_cast<double>(initial_grains(scene).size()) + static_cast<double>(scene.source->released());
+  double memory = of_program + of_grain * grains;
+  if (!traits.follows_time) return memory;
+  const double end = expected_end(scene);
+  const double seconds = expected_work(scene, end) / traits.typical_speed;
+  const double reached = end * std::min(1.0, day / std::max(seconds, 1.0));
+  const auto times = [&](double interval) {
+    return interval > 0.0 ? reached / std::max(interval, scene.time_step()) : 0.0;
+  };
+  const auto walls = static_cast<double>(make_walls(scene).size());
+  memory += copies * times(scene.output.series) * (sizeof(SeriesRow) + walls * sizeof(WallRow));
+  memory += copies * times(scene.output.track) * grains * sizeof(TrackedGrain);
+  return memory;
 }
 
 }  // namespace repose

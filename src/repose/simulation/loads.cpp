@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/simulation/loads.hpp"
 
+#include "repose/core/errors.hpp"
 #include "repose/scene/geometry.hpp"
+#include "repose/scene/loads.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
@@ -41,6 +45,16 @@ std::int64_t Loads::nearest_grain(const Vec<2>& place, const Grains<2>& grains) 
     nearest = grains.id[k];
   }
   return nearest;
+}
+
+void check_loads_on(const Grains<2>& at_start, const Scene& scene) {
+  std::vector<std::string> problems;
+  for (std::size_t k = 0; k < scene.loads.size(); ++k) {
+    const auto grain = scene.loads[k].grain;
+    const auto why = grain < 0 ? "" : load_problem(scene, at_start, grain);
+    if (!why.empty()) problems.push_back(fmt::format("load[{}].grain = {}: {}", k, grain, why));
+  }
+  if (!problems.empty()) throw InputError(problems);
 }
 
 void Loads::exchange(Archive& archive) {

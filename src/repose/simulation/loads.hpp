@@ -39,4 +39,8 @@ class Loads {
   std::vector<Load<2>> acting_;
 };
 
+/// Throws InputError for each load of the scene on a grain that never exists or is fixed. `at_start` are the grains at
+/// the start.
+void check_loads_on(const Grains<2>& at_start, const Scene& scene);
+
 }  // namespace repose

@@ -5,8 +5,10 @@
 #include "repose/analysis/force_network.hpp"
 #include "repose/analysis/heap.hpp"
 #include "repose/core/errors.hpp"
+#include "repose/io/hash.hpp"
 #include "repose/io/state.hpp"
 #include "repose/scene/geometry.hpp"
+#include "repose/scene/write.hpp"
 #include "repose/simulation/methods.hpp"
 #include "repose/simulation/sources/initial.hpp"
 #include "repose/simulation/stops.hpp"
@@ -73,6 +75,7 @@ Simulation::Simulation(Scene scene, int threads)
       base_forces_(grains_, scene_.output.window, 1e-9 * steps_.length),
       rest_(scene_, steps_),
       track_(Every(scene_.output.track, steps_)) {
+  check_loads_on(grains_, scene_);
   method_->grains_added(grains_);
 }
 
@@ -128,7 +131,11 @@ void Simulation::take_batch(double end) {
   const bool row = row_times_.after(before) <= time();
   const bool last = out_of_time || complete || at_rest;
   const bool extra_row = !row && last && (series().empty() || series().back().time < time());
-  if (row || extra_row) add_row();
+  if (row || extra_row) {
+    add_row();
+  } else if (rest_.due_after(before) <= time()) {
+    if (const auto found = stop_of_source(*this, *source_)) stop(found->status, found->message);
+  }
   if (status_ == Status::running && at_rest) {
     stop(Status::finished,
          fmt::format("at rest: kinetic energy and net force of every grain below stop.at_rest = {} for output.window",
@@ -293,6 +300,7 @@ Record Simulation::record() const {
   facts.support_force = base_forces_.force_on_supports(record.contacts);
   record.walls = recorded_walls(scene_, method_->walls(), time());
   facts.state_hash = state_hash(*record.grains, record.contacts);
+  facts.scene_hash = hash_of(scene_text(scene_));
   record.series = series_.rows();
   record.wall_series = series_.walls();
   record.base = base_forces_.profile(grains_, scene_.base_force_unit());

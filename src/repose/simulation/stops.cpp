@@ -11,6 +11,13 @@
 
 namespace repose {
 
+std::optional<Stop> stop_of_source(const Simulation& simulation, const Source& source) {
+  const auto& scene = simulation.scene();
+  const double fall = std::sqrt(scene.grains.diameter / scene.gravity);
+  if (source.done() || source.waiting(simulation.time()) <= source.patience() * fall) return std::nullopt;
+  return Stop{Status::failed, source.buried()};
+}
+
 std::optional<Stop> stop_after_row(const Simulation& simulation, const Source& source) {
   const auto& scene = simulation.scene();
   const auto& row = simulation.series().back();
@@ -22,11 +29,7 @@ std::optional<Stop> stop_after_row(const Simulation& simulation, const Source& s
                     "time step, method.tolerance = {} (method.unconverged = \"error\")",
                     row.solver.unconverged, row.solver.steps, row.time, row.solver.worst_residual, solver->tolerance)};
   }
-  const double fall = std::sqrt(scene.grains.diameter / scene.gravity);
-  if (!source.done() && source.waiting(row.time) > source.patience() * fall) {
-    return Stop{Status::failed, source.buried()};
-  }
-  return std::nullopt;
+  return stop_of_source(simulation, source);
 }
 
 }  // namespace repose

@@ -18,6 +18,9 @@ struct Stop {
   std::string message;
 };
 
+/// The stop because a grain has waited for room for too long, if it has.
+std::optional<Stop> stop_of_source(const Simulation& simulation, const Source& source);
+
 /// The stop that the last row of the series calls for, if any: trouble.
 std::optional<Stop> stop_after_row(const Simulation& simulation, const Source& source);
 

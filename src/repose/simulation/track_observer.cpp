@@ -9,6 +9,7 @@
 namespace repose {
 
 void TrackObserver::observe(const Simulation& simulation) {
+  if (!track_.empty() && track_.back().time == simulation.time()) return;
   const auto& grains = simulation.grains();
   const auto box = make_box(simulation.scene());
   const auto in_heap = supported(grains, simulation.contacts());

@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/results/registry.hpp"
+#include "repose/sweep/ensemble_profile.hpp"
 #include "repose/sweep/plan_reader.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace repose {
 
@@ -36,6 +39,30 @@ void SweepReader::read_bounds(const toml::table& table, const std::string& prefi
   claim.below = below.value_or(claim.below);
   if ((!above && !below) || claim.above >= claim.below) {
     problem(table, fmt::format("{}above: give above, below or both, with above < below", prefix));
+  }
+}
+
+/// A measure must be a column of the table, and mean something for the methods of its points.
+void SweepReader::check_measure(const toml::table& table, const std::string& prefix, const Claim& claim,
+                                const SweepPlan& plan) {
+  if (claim.measure.empty()) return;
+  const auto of_profile = [&](const ProfileMeasure& measure) { return claim.measure == measure.name; };
+  if (std::any_of(std::begin(profile_measures()), std::end(profile_measures()), of_profile)) return;
+  const auto shown = fmt::format("{}measure = \"{}\": ", prefix, claim.measure);
+  const auto* measure = find_measure(claim.measure);
+  if (measure != nullptr && measure->name == claim.measure && measure->kind == Measure::Kind::estimate) {
+    return problem(*table.get("measure"), fmt::format("{}is two numbers: {}.mean or .error", shown, claim.measure));
+  }
+  const bool of_estimate = claim.measure.ends_with(".mean") || claim.measure.ends_with(".error");
+  const bool whole = measure != nullptr && measure->name == claim.measure && measure->kind == Measure::Kind::number;
+  const bool part = measure != nullptr && measure->name != claim.measure && of_estimate;
+  if (!(whole || part) || !measure->of_grains)
+    return problem(*table.get("measure"), shown + "no such measure (`repose reference summary` lists them)");
+  for (const auto& point : plan.points) {
+    const bool meant = std::find(claim.points.begin(), claim.points.end(), point.name) != claim.points.end();
+    if (!meant || !point.scene.method || has(point.scene, measure->needs)) continue;
+    return problem(*table.get("measure"), fmt::format("{}has no value in point \"{}\", whose method is \"{}\"", shown,
+                                                      point.name, point.scene.method->name()));
   }
 }
 
@@ -74,6 +101,7 @@ void SweepReader::read_claims(SweepPlan& plan) {
       claim.points = equivalent;
     }
     read_bounds(table, prefix, claim);
+    check_measure(table, prefix, claim, plan);
     for (const auto& name : claim.points) {
       const auto same = [&](const SweepPoint& other) { return other.name == name; };
       if (std::any_of(plan.points.begin(), plan.points.end(), same)) continue;

@@ -7,6 +7,7 @@
 #include "repose/io/folders.hpp"
 #include "repose/io/hdf5_file.hpp"
 #include "repose/io/hdf5_reader.hpp"
+#include "repose/io/named_file.hpp"
 #include "repose/record/record_file.hpp"
 #include "repose/results/summary.hpp"
 #include "repose/run_folder/run_folder.hpp"
@@ -32,7 +33,9 @@ constexpr const char* own_files[] = {"sweep.toml", "table.csv",    "members.csv"
                                      "sweep.h5",   "response.csv", "response.json", "summary.json"};
 constexpr const char* own_folders[] = {"scenes", "members", "pictures"};
 
+/// The content of a file; "" if it cannot be read.
 std::string content_of(const fs::path& path) {
+  if (!why_not_readable(path.string()).empty()) return "";
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();
@@ -107,6 +110,12 @@ SweepFolder::SweepFolder(std::string path, const std::string& sweep_file, SweepP
     : path_(std::move(path)), plan_(std::move(plan)), members_(members_of(plan_)) {
   const auto files = self_contained(sweep_file);
   std::error_code error;
+  fs::create_directories(path_, error);
+  if (error) throw InputError(fmt::format("{}: cannot make the folder: {}", path_, error.message()));
+  constexpr double patience = 5.0;  // [s] members of a killed sweep may still hold the lock
+  lock_ = std::make_unique<FolderLock>(path_, patience);
+  // Another sweep may have been here until now.
+  if (const auto found = problems(path_, plan_, overwrite); !found.empty()) throw InputError(found);
   if (overwrite && is_one(path_)) {
     for (const auto* name : own_folders) fs::remove_all(fs::path(path_) / name, error);
     for (const auto* name : own_files) fs::remove(fs::path(path_) / name, error);
@@ -123,15 +132,19 @@ SweepFolder::SweepFolder(std::string path, const std::string& sweep_file, SweepP
   }
 }
 
+void SweepFolder::check_place() const {
+  if (lock_) lock_->check_place();
+}
+
 std::string SweepFolder::member_path(const Member& member) const { return folder_of(path_, plan_, member); }
 
 Scene SweepFolder::scene_of(const Member& member) const { return scene_with_seed(plan_, member); }
 
 std::string SweepFolder::status_of(const Member& member) const {
-  const auto path = fs::path(member_path(member)) / "summary.json";
+  const fs::path folder = member_path(member);
   std::error_code error;
-  if (!fs::exists(path, error)) return "";
-  return summary_status(content_of(path));
+  if (!fs::is_regular_file(folder / "run.h5", error)) return "";
+  return summary_status(content_of(folder / "summary.json"));
 }
 
 std::vector<std::pair<std::string, double>> SweepFolder::measures(const Member& member) const {
@@ -162,6 +175,7 @@ SweepTable SweepFolder::table() const {
 }
 
 void SweepFolder::write(const SweepTable& table) const {
+  check_place();
   // The old summary compares theory with profiles that are about to change, and holds nothing else.
   std::error_code error;
   fs::remove(fs::path(path_) / "summary.json", error);
@@ -180,6 +194,7 @@ void SweepFolder::write(const SweepTable& table) const {
 }
 
 std::size_t SweepFolder::analyse(bool with_force_range) const {
+  const FolderLock all(path_);
   std::size_t count = 0;
   for (const auto& member : members_) {
     const auto status = status_of(member);
@@ -189,7 +204,7 @@ std::size_t SweepFolder::analyse(bool with_force_range) const {
     const auto record = read_record(folder);
     auto results = repose::analyse(record);
     if (with_force_range) results.force_range = force_range(record, results);
-    write_results(folder, record, results);
+    write_results(folder, lock, record, results);
     ++count;
   }
   write(table());

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/io/folders.hpp"
 #include "repose/sweep/plan.hpp"
 #include "repose/sweep/table.hpp"
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,7 +29,8 @@ class SweepFolder {
 
   /// Opens the folder of an earlier `repose sweep`. Throws InputError if `path` is no such folder.
   explicit SweepFolder(std::string path);
-  /// Makes the folder, or continues the sweep in it; `overwrite` removes an older sweep first. Throws InputError.
+  /// Makes the folder, or continues the sweep in it; `overwrite` removes an older sweep first. Locks it for as long as
+  /// this object lives. Throws InputError, also if another program sweeps there.
   SweepFolder(std::string path, const std::string& sweep_file, SweepPlan plan, bool overwrite);
 
   const std::string& path() const { return path_; }
@@ -36,7 +39,9 @@ class SweepFolder {
   const std::vector<Member>& members() const { return members_; }
   std::string member_path(const Member& member) const;
   Scene scene_of(const Member& member) const;
-  /// The status in the summary of a member; "" without a readable summary.
+  /// Throws RunError if the folder has been moved or deleted since it was locked.
+  void check_place() const;
+  /// The status in the summary of a member; "" without a readable summary, or without its run.h5.
   std::string status_of(const Member& member) const;
 
   /// Names and values of the measures of a member that has finished.
@@ -52,6 +57,7 @@ class SweepFolder {
 
  private:
   std::string path_;
+  std::unique_ptr<FolderLock> lock_;  // null in a folder that is opened to be read
   SweepPlan plan_;
   std::vector<Member> members_;
 };

@@ -3,6 +3,8 @@
 #include "repose/sweep/members.hpp"
 
 #include "repose/core/errors.hpp"
+#include "repose/core/failure.hpp"
+#include "repose/io/seal.hpp"
 #include "repose/io/whole_file.hpp"
 #include "repose/run_folder/run_folder.hpp"
 #include "repose/scene/write.hpp"
@@ -73,9 +75,14 @@ Sweep::Sweep(const SweepFolder& folder, int processes)
       workers_(static_cast<std::size_t>(processes)) {
   const auto& members = folder.members();
   for (std::size_t k = 0; k < members.size(); ++k) {
-    const auto scene = folder.scene_of(members[k]);
-    work_[k] = expected_work(scene, expected_end(scene));
-    const auto status = folder.status_of(members[k]);
+    if (k == 0 || members[k].point != members[k - 1].point) {
+      const auto scene = folder.scene_of(members[k]);
+      work_[k] = expected_work(scene, expected_end(scene));
+    } else {
+      work_[k] = work_[k - 1];
+    }
+    auto status = folder.status_of(members[k]);
+    if (status == "finished" && !broken_seal(folder.member_path(members[k]) + "/run.h5").empty()) status.clear();
     if (status == "finished" || status == "failed") {
       progress_[k] = {status == "finished" ? Stage::finished : Stage::failed, true, 1.0, 0.0, ""};
     } else {
@@ -143,7 +150,7 @@ void Sweep::run_member(std::size_t member, Shared& shared) const {
       status = 0;
     }
   } catch (const std::exception& failure) {
-    keep(shared.message, sizeof shared.message, failure.what());
+    keep(shared.message, sizeof shared.message, message_of(failure));
   }
   ::_exit(status);
 }
@@ -153,6 +160,7 @@ void Sweep::start(std::size_t slot, std::size_t member) {
   auto& shared = shared_[slot];
   shared.fraction = 0.0;
   shared.message[0] = '\0';
+  folder_.check_place();
   std::fflush(nullptr);
   const pid_t parent = ::getpid();
   const pid_t process = ::fork();

@@ -26,8 +26,8 @@ struct MemberProgress {
 };
 
 /// Runs the members of a sweep side by side, each in a process of its own, so that a crash of one leaves the others
-/// alone. A member that has finished or failed is never run again; an interrupted one resumes from its checkpoint, or
-/// starts again without one.
+/// alone. A member that has finished or failed is never run again, unless its run.h5 is missing or damaged; an
+/// interrupted one resumes from its checkpoint, or starts again without one.
 class Sweep {
  public:
   Sweep(const SweepFolder& folder, int processes);

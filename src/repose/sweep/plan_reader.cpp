@@ -3,6 +3,7 @@
 #include "repose/sweep/plan_reader.hpp"
 
 #include "repose/core/errors.hpp"
+#include "repose/scene/problems.hpp"
 #include "repose/sweep/toml_values.hpp"
 
 #include <fmt/format.h>
@@ -96,7 +97,8 @@ void SweepReader::read_seeds(SweepPlan& plan) {
   std::set<std::int64_t> seen;
   for (const auto& entry : *list) {
     const auto seed = entry.value_or(std::int64_t{-1});
-    if (seed < 0) problem(*node, fmt::format("seeds: {}: must be >= 0", seed));
+    constexpr std::int64_t largest = std::int64_t{1} << 53;
+    if (seed < 0 || seed > largest) problem(*node, fmt::format("seeds: {}: must be from 0 to {}", seed, largest));
     if (!seen.insert(seed).second) problem(*node, fmt::format("seeds: {}: is listed twice", seed));
     plan.seeds.push_back(seed);
   }
@@ -106,17 +108,20 @@ SweepPlan SweepReader::read() {
   SweepPlan plan;
   check_keys(root_, "", {"title", "scene", "seeds", "set", "vary", "point", "claim"});
   plan.title = text(root_, "", "title", false);
+  if (const auto what = title_problem(plan.title); !what.empty()) problem(*root_.get("title"), "title" + what);
   read_seeds(plan);
   read_points(plan);
-  read_claims(plan);
+  if (!plan.points.empty()) read_claims(plan);
+  if (plan.points.empty() && problems_.empty()) problems_.push_back(fmt::format("{}: has no points", path_));
   if (plan.points.size() * plan.seeds.size() > most_members) {
     problems_.push_back(fmt::format("{}: {} points with {} seeds each: more than {} members", path_, plan.points.size(),
                                     plan.seeds.size(), most_members));
   }
   // A key that is wrong in several points is reported once.
   std::vector<std::string> once;
+  std::set<std::string> known;
   for (const auto& line : problems_) {
-    if (std::find(once.begin(), once.end(), line) == once.end()) once.push_back(line);
+    if (known.insert(line).second) once.push_back(line);
   }
   if (!once.empty()) throw InputError(once);
   return plan;

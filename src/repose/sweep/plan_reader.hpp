@@ -13,6 +13,8 @@
 
 namespace repose {
 
+/// Scenes are read and kept for every point, and members have a folder each.
+inline constexpr std::size_t most_points = 10'000;
 inline constexpr std::size_t most_members = 1'000'000;
 
 /// A key of the scene with one of its values.
@@ -38,17 +40,20 @@ class SweepReader {
   const toml::array* list_of_tables(const std::string& key);
   Setting setting(const std::string& key, const toml::node& value) const;
   std::vector<Setting> settings(const toml::table& table, const std::string& prefix);
+  bool too_many_points();
   std::vector<std::vector<Setting>> combinations();
   void read_seeds(SweepPlan& plan);
   void read_points(SweepPlan& plan);
   void add_point(SweepPlan& plan, const std::string& name, const std::string& scene, const std::vector<Setting>& common,
                  const std::vector<Setting>& own);
   void read_claims(SweepPlan& plan);
+  void check_measure(const toml::table& table, const std::string& prefix, const Claim& claim, const SweepPlan& plan);
   void read_bounds(const toml::table& table, const std::string& prefix, Claim& claim);
 
   const toml::table& root_;
   std::string path_;
   std::vector<std::string> problems_;
+  std::set<std::string> point_names_;
 };
 
 }  // namespace repose

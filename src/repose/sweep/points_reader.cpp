@@ -38,6 +38,20 @@ std::vector<Setting> SweepReader::settings(const toml::table& table, const std::
   return found;
 }
 
+/// Whether [vary] and [[point]] make more points than a sweep may have, which is then a problem.
+bool SweepReader::too_many_points() {
+  double count = 1.0;
+  if (const auto* points = root_.get_as<toml::array>("point")) count *= static_cast<double>(points->size());
+  if (const auto* values = root_.get_as<toml::table>("vary")) {
+    for (const auto& [key, value] : values_below(*values)) {
+      if (const auto* list = value->as_array()) count *= static_cast<double>(std::max<std::size_t>(1, list->size()));
+    }
+  }
+  if (count <= static_cast<double>(most_points)) return false;
+  problems_.push_back(fmt::format("{}: vary and point make {:g} points: at most {}", path_, count, most_points));
+  return true;
+}
+
 /// Every combination of the values in [vary]; a single empty one without.
 std::vector<std::vector<Setting>> SweepReader::combinations() {
   std::vector<std::vector<Setting>> all(1);
@@ -54,8 +68,6 @@ std::vector<std::vector<Setting>> SweepReader::combinations() {
       problem(*value, "vary.seed: the sweep sets it; use seeds");
     } else if (list == nullptr || list->empty()) {
       problem(*value, fmt::format("vary.{} = {}: must be a list of values", key, toml_text(*value)));
-    } else if (all.size() * list->size() > most_members) {
-      problem(*value, fmt::format("vary: more than {} points", most_members));
     } else {
       std::vector<std::vector<Setting>> grown;
       for (const auto& combination : all) {
@@ -110,8 +122,12 @@ void SweepReader::add_point(SweepPlan& plan, const std::string& name, const std:
       plan.keys.push_back(parameter.key);
     }
   }
-  const auto taken = [&](const SweepPoint& other) { return other.name == point.name; };
-  if (std::any_of(plan.points.begin(), plan.points.end(), taken)) {
+  constexpr std::size_t longest_name = 200;  // file systems allow 255 bytes
+  if (point.name.size() > longest_name) {
+    problems_.push_back(
+        fmt::format("{}: the name of a point has {} letters: at most {}; give it a shorter [[point]] name", path_,
+                    point.name.size(), longest_name));
+  } else if (!point_names_.insert(point.name).second) {
     problems_.push_back(fmt::format("{}: two points have the name \"{}\"", path_, point.name));
   }
   try {
@@ -123,6 +139,7 @@ void SweepReader::add_point(SweepPlan& plan, const std::string& name, const std:
 }
 
 void SweepReader::read_points(SweepPlan& plan) {
+  if (too_many_points()) return;
   const auto general_scene = text(root_, "", "scene", root_.get("point") == nullptr);
   const auto common = settings(root_, "");
   const auto varied = combinations();
@@ -155,6 +172,9 @@ void SweepReader::read_points(SweepPlan& plan) {
     const auto name = text(table, prefix, "name", true);
     auto scene = text(table, prefix, "scene", general_scene.empty());
     if (scene.empty()) scene = general_scene;
+    if (name.empty() && table.contains("name") && table.get("name")->is_string()) {
+      problem(*table.get("name"), prefix + "name = \"\": must not be empty");
+    }
     if (name.empty() || scene.empty()) continue;
     const auto of_point = settings(table, prefix);
     for (const auto& combination : varied) {

@@ -52,7 +52,7 @@ void parameters(Janssen& column, Parameters& to) {
   to.choice("direction", column.direction, column_directions(),
             "rest: the walls carry weight; pushed-up: the same friction holds the grains down");
   to.number("overload", column.overload, not_negative, "M/(L T^2)", "vertical stress on the top");
-  to.integer("points", column.points, {.low = 2, .high = 10'000'000}, "number of depths, top and bottom included");
+  to.integer("points", column.points, {.low = 2, .high = 1'000'000}, "number of depths, top and bottom included");
 }
 
 std::vector<std::string> relations(const Janssen& column) {

@@ -50,7 +50,7 @@ DiscreteLengths discrete_lengths(const JanssenDiscrete& stack) {
 
 void parameters(JanssenDiscrete& stack, Parameters& to) {
   to.number("k_mu", stack.k_mu, not_negative, "1", "stress ratio times wall friction; 2 k_mu < 1 if pushed up");
-  to.integer("layers", stack.layers, {.low = 1, .high = 10'000'000}, "number of cells");
+  to.integer("layers", stack.layers, {.low = 1, .high = 1'000'000}, "number of cells");
   to.choice("direction", stack.direction, column_directions(),
             "rest: the walls carry weight; pushed-up: the same friction holds the grains down");
   to.choice("wall_load", stack.wall_load, {"below", "mean", "above"},

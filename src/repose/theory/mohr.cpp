@@ -83,7 +83,7 @@ void parameters(Mohr& place, Parameters& to) {
             "angle of the chosen plane from the horizontal, positive if it descends to the right");
   to.number("friction_deg", place.friction_deg, {.low = 0.0, .high = 90.0, .high_allowed = false}, "deg",
             "angle of internal friction, phi");
-  to.integer("points", place.points, {.low = 2, .high = 10'000'000}, "number of planes, -90 and 90 deg included");
+  to.integer("points", place.points, {.low = 2, .high = 1'000'000}, "number of planes, -90 and 90 deg included");
 }
 
 Table evaluate(const Mohr& place) {

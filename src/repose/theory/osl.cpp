@@ -198,7 +198,7 @@ void parameters(Osl& model, Parameters& to) {
   to.optional_number("eta", model.eta, {"", "by yield of a surface at the friction angle"},
                      {.low = 0.0, .high = 1e6, .low_allowed = false}, "1", "eta of model = custom");
   to.choice("output", model.output, {"base", "field"}, "stresses on the base, or in the whole pile");
-  to.integer("points", model.points, {.low = 2, .high = 10'000'000}, "positions along the base, both feet included");
+  to.integer("points", model.points, {.low = 2, .high = 1'000'000}, "positions along the base, both feet included");
   to.integer("grid", model.grid, {.low = 2, .high = 2'000}, "depths of the field, which has grid (grid + 2) points");
 }
 

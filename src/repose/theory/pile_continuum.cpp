@@ -40,7 +40,7 @@ BaseForce base_force(const PileContinuum& model, double x_over_b) {
 void parameters(PileContinuum& model, Parameters& to) {
   to.number("slope_deg", model.slope_deg, {.low = 0.0, .high = 60.0, .low_allowed = false, .high_allowed = false},
             "deg", "slope of both flanks");
-  to.integer("points", model.points, {.low = 2, .high = 10'000'000}, "positions along the base, both feet included");
+  to.integer("points", model.points, {.low = 2, .high = 1'000'000}, "positions along the base, both feet included");
 }
 
 Table evaluate(const PileContinuum& model) {

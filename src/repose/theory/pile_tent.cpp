@@ -74,7 +74,7 @@ void parameters(PileTent& model, Parameters& to) {
   to.number("upper_slope_deg", model.upper_slope_deg, slopes, "deg", "slope from the break to the apex");
   to.number("break_at", model.break_at, {.low = 0.0, .high = 0.5, .low_allowed = false}, "B",
             "distance of the break from the nearer foot, along the base");
-  to.integer("points", model.points, {.low = 2, .high = 10'000'000}, "positions along the base, both feet included");
+  to.integer("points", model.points, {.low = 2, .high = 1'000'000}, "positions along the base, both feet included");
 }
 
 Table evaluate(const PileTent& model) {

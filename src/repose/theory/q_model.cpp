@@ -171,6 +171,13 @@ std::vector<std::string> relations(const QModel& model) {
     problems.push_back(
         fmt::format("start = gamma: needs distribution = uniform | dirichlet, not {}", model.distribution));
   }
+  constexpr double most_steps = 1e10;  // about a quarter of an hour
+  const double steps = static_cast<double>(model.width) * static_cast<double>(model.layers) *
+                       static_cast<double>(model.neighbours) * static_cast<double>(model.runs);
+  if (steps > most_steps) {
+    problems.push_back(
+        fmt::format("width, layers, neighbours and runs: their product is {:g}; must be <= {:g}", steps, most_steps));
+  }
   if (model.start == "zero" && model.injection == 0) {
     problems.emplace_back("injection = 0: needs start = gamma; otherwise all weights are 0");
   }

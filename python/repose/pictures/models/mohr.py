@@ -24,7 +24,7 @@ def draw(prediction):
     axes.axhline(0.0, color=style.FAINT, linewidth=0.7, zorder=0)
     axes.axvline(0.0, color=style.FAINT, linewidth=0.7, zorder=0)
     limit = np.tan(friction) * normal
-    axes.fill_between(normal, -limit, limit, color=style.GREEN, alpha=0.10, linewidth=0.0, zorder=0)
+    axes.fill_between(normal, -limit, limit, color=style.pale(style.GREEN, 0.10), linewidth=0.0, zorder=0)
     for side in (1.0, -1.0):
         axes.plot(normal, side * limit, color=style.GREEN, linewidth=1.0,
                   label="|shear| = normal tan φ" if side > 0.0 else None)

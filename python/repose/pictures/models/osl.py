@@ -52,7 +52,7 @@ def _base(prediction):
     lowest = prediction["yield_margin"].min()
     if lowest < -1e-9:
         below = np.minimum(prediction["yield_margin"], 0.0)
-        margin.fill_between(prediction["x_over_b"], below, color=style.ORANGE, alpha=0.25, linewidth=0)
+        margin.fill_between(prediction["x_over_b"], below, color=style.pale(style.ORANGE, 0.25), linewidth=0, zorder=0.8)
     margin.set_ylim(min(1.1 * lowest, -0.08), 1.05)
     margin.set_ylabel("yield margin")
     margin.set_xlabel("x / B")

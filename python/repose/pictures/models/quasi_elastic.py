@@ -15,7 +15,7 @@ def draw(prediction):
     axes = figure.subplots()
     ratios = np.linspace(-0.99, 0.5, 150)
     curve = [theory.predict(prediction.model.name, poisson_ratio=ratio)["stress_ratio"][0] for ratio in ratios]
-    axes.axhspan(-0.5, 0.0, color=style.FAINT, alpha=0.35, linewidth=0.0, zorder=0)
+    axes.axhspan(-0.5, 0.0, color=style.pale(style.FAINT, 0.35), linewidth=0.0, zorder=0)
     axes.text(-0.96, -0.04, "walls would have to pull", va="top", ha="left", fontsize=7, color=style.GREY)
     axes.plot(ratios, curve, color=style.BLUE, linewidth=1.4)
     chosen = prediction["poisson_ratio"][0], prediction["stress_ratio"][0]

@@ -28,9 +28,9 @@ def draw(run, state):
     upper, lower = figure.subplots(2, 1, sharex=True, gridspec_kw={"height_ratios": [2, 1]})
     for axes, name, force, colour in ((upper, "normal", normal, style.BLUE), (lower, "shear", shear, style.ORANGE)):
         axes.axhline(0.0, color=style.FAINT, linewidth=0.6, zorder=0)
-        axes.plot(x, force, "o", color=colour, markersize=2.6, alpha=0.45, markeredgewidth=0, label="base grain")
+        axes.plot(x, force, "o", color=style.pale(colour, 0.6), markersize=2.6, markeredgewidth=0, label="base grain")
         if bins:
-            label = f"mean over {units.length_value(bins.attributes['bin_width'])} ± standard error"
+            label = f"mean over {units.length_value(bins.attributes['bin_width'])}; band: ± scatter of its grains / √n"
             draw_with_error_band(axes, bins["x"], bins[name], bins[f"{name}_error"], colour, label)
             if name == "normal":
                 draw_force_range(axes, run.analysis["force_range"])
@@ -43,7 +43,7 @@ def draw(run, state):
     lower.set_xlim(x[loaded[0]] - margin, x[loaded[-1]] + margin)
     figure.align_ylabels()
     handles, labels = upper.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.08 / 5.2, 1.0 - 0.26 / 3.6), ncol=3)
+    figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.08 / 5.2, 1.0 - (0.37 if bins else 0.26) / 3.6), ncol=3)
 
     window = run.base.attributes
     text = f"mean over t = {window['window_start']:.6g} to {units.time_value(window['window_end'])}"
@@ -53,7 +53,9 @@ def draw(run, state):
             end = dip["centre"] + side * dip["half_width"]
             upper.axvline(end, ymax=0.7, color=style.GREY, linewidth=0.8, linestyle=":")
         text += f"; half width {units.length_value(dip['half_width'])} (dotted), dip index {dip['index']:.2f}"
-    style.fit(figure, (0.0, 0.0, 1.0, 0.89))
+    if bins:
+        text += "\nthe band is no error of the profile, for which other heaps are needed (repose sweep)"
+    style.fit(figure, (0.0, 0.0, 1.0, 0.86 if bins else 0.89))
     style.caption(figure, text)
     return figure
 
@@ -64,7 +66,7 @@ def draw_force_range(axes, allowed):
         return
     most = np.where(np.isnan(allowed["max"]), 1e6, allowed["max"])
     top = np.nanmax([axes.get_ylim()[1], 1.05 * np.nanmax(allowed["max"], initial=0.0)])
-    axes.fill_between(allowed["x"], allowed["min"], most, color=style.GREY, alpha=0.22, linewidth=0, label="equilibrium allows")
+    axes.fill_between(allowed["x"], allowed["min"], most, color=style.pale(style.GREY, 0.22), linewidth=0, zorder=0.5, label="equilibrium allows")
     axes.set_ylim(axes.get_ylim()[0], top)
 
 

@@ -29,7 +29,7 @@ def draw(run, state):
     top.plot(time, added / scale, color=style.INK, linewidth=1.2, linestyle="--", label="input")
     for colour, name in zip(style.SERIES, STORED):
         top.plot(time, budget[name] / scale, color=colour, label=name)
-    for colour, name in zip((*style.SERIES[len(STORED) :], style.GREY), SPENT):
+    for colour, name in zip((*style.SERIES[len(STORED) :], style.GREY, style.BROWN), SPENT):
         if np.abs(budget[name]).max() > 0.0:
             top.plot(time, budget[name] / scale, color=colour, linestyle="-.", label=LABELS.get(name, name))
     units = style.units_of(run)

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Force chains: contacts above the mean force, the largest chains in colour, and the directions of contacts."""
+"""Clusters of strong contacts: those above the mean force that share grains, the largest in colour; and the directions of
+contacts. A cluster branches, so it is no chain."""
 
 import numpy as np
 from matplotlib.lines import Line2D
@@ -12,12 +13,12 @@ from repose.pictures.run.grain_panel import BOTTOM, LEFT, RIGHT, make_panels
 from repose.pictures.run.legends import LEGEND_ROW, legend_above
 from repose.pictures.run.shapes import add_discs, add_lines, add_walls, centre_lines
 
-WIDEST = 0.5  # grain diameters: line width of forces at and above the WIDEST_PERCENTILE of those in chains
+WIDEST = 0.5  # grain diameters: line width of forces at and above the WIDEST_PERCENTILE of those in clusters
 WIDEST_PERCENTILE = 99.5
 LEVELS = 16  # of line width
-LEAST_CONTACTS = 3  # of a chain that gets its own colour
+LEAST_CONTACTS = 3  # of a cluster that gets its own colour
 HISTOGRAM = 1.05  # inch, its height
-HANDLE_WIDTH, REST_OF_LEGEND = 0.58, 2.1  # inch
+HANDLE_WIDTH, REST_OF_LEGEND = 0.58, 2.45  # inch
 
 
 def draw(run, state):
@@ -25,7 +26,7 @@ def draw(run, state):
     chains, forces = (analysis_table(run, state, group, NO_FORCES) for group in ("chains", "forces"))
     chain = chains["chain"]
     if not (chain >= 0).any():
-        raise NotDrawn("no force chains")
+        raise NotDrawn("no contact carries more than the mean force")
     panel = make_panels(run, state, [LEGEND_ROW], below=HISTOGRAM + BOTTOM)[0]
     held = state.grains.held
     add_walls(panel, run, state)
@@ -39,13 +40,13 @@ def draw(run, state):
     if others:
         kind = ("others" if others > 1 else "other") if own else "small"
         handles.append(_handle(style.GREY, f"{others} {kind}"))
-    legend_above(panel, handles, "contacts per chain")
+    legend_above(panel, handles, "contacts per strong cluster")
     _histogram(panel, forces)
     return panel.figure
 
 
 def _add_chains(panel, run, state, chain, own):
-    """Lines of the contacts of each chain; chains from number `own` on are grey."""
+    """Lines of the contacts of each cluster; clusters from number `own` on are grey."""
     size = np.abs(np.nan_to_num(state.contacts.normal_force))
     largest = np.percentile(size[chain >= 0], WIDEST_PERCENTILE)
     level = np.ceil(LEVELS * np.minimum(size / largest, 1.0)).astype(int)

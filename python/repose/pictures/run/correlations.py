@@ -29,10 +29,10 @@ def draw(run, state):
         axes.set_xlim(left=0.0)
         axes.set_ylim(bottom=0.0)
     style.fit(figure, (0.0, 0.0, 1.0, 0.97), h_pad=0.6)
-    style.caption(figure, "grains in the slab; bands: standard errors")
+    style.caption(figure, "grains in the slab; bands: ± value / √(pairs counted)")
     return figure
 
 
 def _curve(axes, place, value, error):
-    axes.fill_between(place, value - error, value + error, color=style.SKY, alpha=0.4, linewidth=0)
+    axes.fill_between(place, value - error, value + error, color=style.pale(style.SKY, 0.4), linewidth=0, zorder=0.8)
     axes.plot(place, value, color=style.BLUE, linewidth=0.9)

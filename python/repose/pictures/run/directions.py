@@ -39,7 +39,7 @@ def draw(run, state):
     axes.set_axisbelow(True)
     figure.legend(loc="lower center", ncol=2)
     style.fit(figure, (0.0, 0.06, 1.0, 0.95))
-    style.caption(figure, f"π p(θ) of {directions['count'].sum()} contacts in the slab, θ from the vertical")
+    style.caption(figure, f"π p(θ) of {directions['count'].sum()} contacts in the slab, θ from the vertical; bars: √(count)")
     return figure
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Distribution of normal forces over their mean, P(f), beside the exponential exp(-f)."""
+"""Distribution of normal forces over their mean, P(f), beside the exponential of the same mean above the same threshold."""
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -22,8 +22,13 @@ def draw(run, state):
     figure = Figure(figsize=(4.2, 3.2))
     axes = figure.subplots()
     axes.set_yscale("log", nonpositive="clip")
-    guide = np.array([0.0, f[-1] + 0.5 * forces.attributes["bin_width"]])
-    axes.plot(guide, np.exp(-guide), color=style.GREY, linewidth=0.9, linestyle="--", label="exp(−f)")
+    half = 0.5 * forces.attributes["bin_width"]
+    least = max(0.0, forces["f"][0] - half)  # the bins begin at the threshold
+    guide = np.array([least, f[-1] + half])
+    label = "exponential of the same mean" + (" above the threshold" if least > 0.0 else "")
+    axes.plot(guide, exponential(guide, least), color=style.GREY, linewidth=0.9, linestyle="--", label=label)
+    if least > 0.0:
+        axes.axvline(least, color=style.GREY, linewidth=0.6, linestyle=":", label="least force that counts")
     axes.errorbar(
         f, density, yerr=error, fmt="o", color=style.BLUE, markersize=3, elinewidth=0.8, label="normal forces"
     )
@@ -33,8 +38,13 @@ def draw(run, state):
     axes.set_ylabel("probability density P(f)")
     axes.legend(loc="upper right")
     style.fit(figure, (0.0, 0.0, 1.0, 0.94))
-    style.caption(figure, _mean_and_fractions(forces, run.summary, style.units_of(run)))
+    style.caption(figure, "bars: √(count); " + _mean_and_fractions(forces, run.summary, style.units_of(run)))
     return figure
+
+
+def exponential(f, least):
+    """The density of mean 1 that falls exponentially from `least` on."""
+    return np.exp(-(f - least) / (1.0 - least)) / (1.0 - least)
 
 
 def _mean_and_fractions(forces, summary, units):

@@ -7,11 +7,11 @@ from matplotlib.lines import Line2D
 
 from repose import style
 from repose.errors import NotDrawn
+from repose.pictures.run.common_axes import largest_force, sizes_of_forces
 from repose.pictures.run.grain_panel import make_panel
 from repose.pictures.run.legends import legend_above
 from repose.pictures.run.shapes import add_discs, add_lines, add_walls, centre_lines
 
-WIDEST_PERCENTILE = 99.5  # forces above it have the largest width
 WIDEST = 0.5  # grain diameters
 LEVELS = 32  # of line width; lines below half a level are left out
 
@@ -19,11 +19,12 @@ LEVELS = 32  # of line width; lines below half a level are left out
 def draw(run, state):
     """Figure of one state; forces in grain weights, or in the units of the scene where there is no gravity."""
     weight = run.attributes["grain_weight"]
-    force = np.nan_to_num(state.contacts.normal_force / (weight if weight > 0.0 else 1.0))
+    unit = weight if weight > 0.0 else 1.0
+    force = np.nan_to_num(state.contacts.normal_force / unit)
     size = np.abs(force)
-    if not (size > 0.0).any():
+    largest = (state.axes.largest_force if state.axes else largest_force(sizes_of_forces(state))) / unit
+    if not largest > 0.0:
         raise NotDrawn("no contact carries a force")
-    largest = np.percentile(size[size > 0.0], WIDEST_PERCENTILE)
     lines, contact = centre_lines(run, state)
     panel = make_panel(run, state, with_legend=True)
     held = state.grains.held

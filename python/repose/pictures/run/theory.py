@@ -17,5 +17,5 @@ def draw(run, state):
     units = style.units_of(run)
     slope = (run.summary.get("angle_of_repose_deg") or {}).get("mean")
     text = "one heap" if slope is None else f"one heap of slope {slope:.1f}°"
-    text += f"; bins of {units.length_value(bins.attributes['bin_width'])}, errors from the scatter of their discs"
-    return draw_comparisons([Comparison("", run.base, bins, entries)], units, text)
+    text += f"; bins of {units.length_value(bins.attributes['bin_width'])}; bars are no errors of the profile, for which other heaps are needed"
+    return draw_comparisons([Comparison("", run.base, bins, entries, "mean ± scatter of its discs / √n")], units, text)

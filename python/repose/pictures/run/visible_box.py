@@ -63,7 +63,10 @@ def wrapped(run, positions):
 
 
 def visible_box(run, state):
-    """Box around the heap and the base below it; grains in flight do not count while any are supported."""
+    """Box around the heap and the base below it, or that of the axes of the state; grains in flight do not count while any
+    are supported."""
+    if state.axes and state.axes.box:
+        return state.axes.box
     grains = state.grains
     diameter = run.attributes["grain_diameter"]
     centre, radius = wrapped(run, grains.position), grains.radius

@@ -6,9 +6,8 @@ from matplotlib.figure import Figure
 
 from repose import style
 from repose.pictures.sweep.axis import axis_of
-from repose.pictures.sweep.panel import CAPTION, add_legend, draw_measure, label_axes, panel_height
+from repose.pictures.sweep.panel import CAPTION, TOP, add_legend, caption, draw_measure, label_axes, panel_height
 
-TOP = 0.26  # inch of the caption
 
 
 def draw(sweep):
@@ -21,5 +20,5 @@ def draw(sweep):
     height = figure.get_size_inches()[1]
     top = TOP + add_legend(figure, axes, axis, TOP)
     style.fit(figure, (0.0, 0.0, 1.0, 1.0 - top / height))
-    style.caption(figure, CAPTION)
+    caption(figure, axis, sweep, CAPTION)
     return [figure]

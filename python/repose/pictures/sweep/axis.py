@@ -8,8 +8,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-UNITS = {"method.critical_angle": "deg"}  # of keys that have one unit in every scene
-
 
 @dataclass(frozen=True)
 class Line:
@@ -67,8 +65,3 @@ def name_without(name, key, text):
 def last_part(key):
     """The last part of a dotted key."""
     return key.rsplit(".", 1)[-1]
-
-
-def key_label(key):
-    """A key as the label of an axis, with its unit where that is the same in every scene."""
-    return f"{key} ({UNITS[key]})" if key in UNITS else key

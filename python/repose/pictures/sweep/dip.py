@@ -9,7 +9,9 @@ from repose import style
 from repose.errors import NotDrawn
 from repose.pictures.sweep.axis import axis_of
 from repose.pictures.sweep.panel import (
+    TOP,
     add_legend,
+    caption,
     draw_means,
     draw_measure,
     has_measure,
@@ -19,7 +21,6 @@ from repose.pictures.sweep.panel import (
 )
 
 KEY = "base_dip.index"
-TOP = 0.26  # inch of the caption
 
 
 def draw(sweep):
@@ -49,7 +50,7 @@ def draw(sweep):
     height = figure.get_size_inches()[1]
     top = TOP + add_legend(figure, columns[0], axis, TOP)
     style.fit(figure, (0.0, 0.0, 1.0, 1.0 - top / height), w_pad=1.2)
-    style.caption(figure, "± standard error over the members; above 1 the force is smaller in the middle than beside it")
+    caption(figure, axis, sweep, "± standard error over the members; above 1 the force is smaller in the middle than beside it")
     return [figure]
 
 

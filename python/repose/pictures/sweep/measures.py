@@ -7,10 +7,9 @@ from matplotlib.figure import Figure
 from repose import style
 from repose.errors import NotDrawn
 from repose.pictures.sweep.axis import axis_of
-from repose.pictures.sweep.panel import CAPTION, add_legend, draw_measure, has_measure, label_axes, panel_height
+from repose.pictures.sweep.panel import CAPTION, TOP, add_legend, caption, draw_measure, has_measure, label_axes, panel_height
 
 COLUMNS = 3
-TOP = 0.26  # inch of the caption
 
 
 def draw(sweep):
@@ -38,7 +37,7 @@ def draw(sweep):
     height = figure.get_size_inches()[1]
     top = TOP + add_legend(figure, grid[0, 0], axis, TOP)
     style.fit(figure, (0.0, 0.0, 1.0, 1.0 - top / height), h_pad=0.8, w_pad=0.8)
-    style.caption(figure, CAPTION)
+    caption(figure, axis, sweep, CAPTION)
     return [figure]
 
 
@@ -53,7 +52,7 @@ def _labels(units):
         ("anisotropy", "anisotropy\nof contacts"),
         ("forces.mean", "mean normal force\n(grain weights)"),
         ("forces.sliding_fraction", "fraction of\nsliding contacts"),
-        ("chains.largest_height", units.length("height of the\nhighest chain")),
+        ("chains.largest_height", units.length("height of the highest\nstrong cluster")),
         ("base_scatter", "scatter of\nthe base force"),
         ("avalanches.mean_size", "grains per\navalanche"),
         ("avalanches.mean_depth", units.length("depth of the\nmoving layer")),

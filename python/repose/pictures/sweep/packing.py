@@ -8,8 +8,9 @@ from matplotlib.figure import Figure
 
 from repose import style
 from repose.errors import NotDrawn
-from repose.pictures.sweep.axis import axis_of, key_label
-from repose.pictures.sweep.panel import add_legend, has_measure
+from repose.pictures.sweep.axis import axis_of
+from repose.pictures.sweep.key_label import key_label
+from repose.pictures.sweep.panel import TOP, add_legend, caption, has_measure, is_geometric
 
 # The measures of the packing follow from geometry for every method; others of the same name may follow from forces.
 DENSITY = "packing.solid_fraction.mean"
@@ -25,7 +26,6 @@ LEAST_FRACTION = 0.005  # smaller ones are not drawn
 COLOURS = (*style.SERIES, style.INK)
 MARKERS = (*style.MARKERS, "X")
 MANY = 24  # points; longer series have small markers
-TOP = 0.26  # inch of the caption
 PANEL_HEIGHT = 2.15  # inch
 
 
@@ -36,7 +36,7 @@ def draw(sweep):
         raise NotDrawn("no packings were measured over a numeric parameter")
     density = sweep.measures[DENSITY]
     fractions = [q for q, key in enumerate(FRACTIONS) if _largest_mean(sweep, key) > LEAST_FRACTION]
-    along = (axis.place, None, key_label(axis.key))
+    along = (axis.place, None, key_label(axis.key, sweep.key_comments, style.units_of(sweep)))
     over_density = (density["mean"], density["error"], DENSITY_LABEL)
     one = len(axis.lines) == 1
     figures = [
@@ -52,6 +52,7 @@ def draw(sweep):
 def _figure(sweep, axis, along, panels, together=()):
     """A panel with all series for each measure, and one panel with the fractions `together` of the only series."""
     place, place_error, place_label = along
+    scale = "log" if place_error is None and is_geometric(place) else "linear"
     count = len(panels) + bool(together)
     columns = 2 if together or count in (2, 4) else 3
     rows = -(-count // columns)
@@ -63,18 +64,18 @@ def _figure(sweep, axis, along, panels, together=()):
             points = _points(axes, place, place_error, sweep.measures[key], line.rows, k, line.name)
             if k % 2:  # points below it stay visible
                 points.set_markerfacecolor("none")
-        axes.set(xlabel=place_label, ylabel=label)
+        axes.set(xlabel=place_label, ylabel=label, xscale=scale)
     if together:
         axes = grid[len(panels)]
         for q in together:
             _points(axes, place, place_error, sweep.measures[FRACTIONS[q]], axis.lines[0].rows, q, CONTACTS[q])
-        axes.set(xlabel=place_label, ylabel="fraction $P_q$ with q contacts")
+        axes.set(xlabel=place_label, xscale=scale, ylabel="fraction $P_q$ with q contacts")
         axes.legend(loc="upper center", ncol=4, bbox_to_anchor=(0.5, 1.16), handlelength=0.8, columnspacing=0.8)
     for axes in grid[count:]:
         axes.remove()
     top = TOP + add_legend(figure, grid[0], axis, TOP)
     style.fit(figure, (0.0, 0.0, 1.0, 1.0 - top / height), h_pad=1.2, w_pad=1.0)
-    style.caption(figure, "mean ± standard error over the members of a point")
+    caption(figure, axis, sweep, "mean ± standard error over the members of a point")
     return figure
 
 

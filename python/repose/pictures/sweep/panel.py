@@ -3,14 +3,17 @@
 """Panels that show a measure over the axis of a sweep."""
 
 import re
+import textwrap
 
 import numpy as np
 
 from repose import style
 from repose.errors import NotDrawn
-from repose.pictures.sweep.axis import key_label
+from repose.pictures.sweep.key_label import key_label, meaning_of
 
 CAPTION = "mean ± standard error over the members of a point; faint: single members"
+TOP = 0.39  # inch of a caption and the meaning of the axis
+LETTERS_PER_INCH = 19  # of a caption
 WIDE = 20.0  # least ratio of the ends of a logarithmic axis
 LONGEST_LINE = 22  # letters of a name in one line
 
@@ -37,7 +40,7 @@ def draw_means(axes, axis, mean, error, place=None, values=None):
         if values is not None:
             own = np.isin(place, line.rows)
             dots = _in_order_of_axes(axis, axis.place[place[own]], values[own])
-            axes.plot(*dots, "o", color=colour, markersize=2.4, alpha=0.3, markeredgewidth=0, zorder=1.5)
+            axes.plot(*dots, "o", color=style.pale(colour, 0.4), markersize=2.4, markeredgewidth=0, zorder=1.5)
         if axis.key is None:
             axes.errorbar(height, at, xerr=bar, linestyle="none", **drawing)
         else:
@@ -47,12 +50,11 @@ def draw_means(axes, axis, mean, error, place=None, values=None):
 def label_axes(axes, axis, sweep, value_label, names=True):
     """Labels of both axes. Points by name run from top to bottom; `names` writes their names beside the axes."""
     if axis.key is not None:
-        low, high = axis.place.min(), axis.place.max()
-        if low > 0.0 and high / low >= WIDE:
+        if is_geometric(axis.place):
             axes.set_xscale("log")
         else:
             axes.locator_params(axis="x", nbins=5, steps=[1, 2, 5, 10])
-        axes.set_xlabel(key_label(axis.key))
+        axes.set_xlabel(key_label(axis.key, sweep.key_comments, style.units_of(sweep)))
         axes.set_ylabel(value_label)
         return
     axes.set_ylim(len(sweep.points) - 0.5, -0.5)
@@ -61,6 +63,22 @@ def label_axes(axes, axis, sweep, value_label, names=True):
     axes.grid(axis="y", color=style.FAINT, linewidth=0.4)
     axes.set_axisbelow(True)
     axes.set_xlabel(value_label)
+
+
+def is_geometric(place):
+    """Whether places span a wide range and follow each other more evenly by ratios than by differences."""
+    steps = np.unique(place)
+    if len(steps) < 3 or steps[0] <= 0.0 or steps[-1] < WIDE * steps[0]:
+        return False
+    ratios, differences = np.diff(np.log(steps)), np.diff(steps)
+    return ratios.std() / ratios.mean() < differences.std() / differences.mean()
+
+
+def caption(figure, axis, sweep, text):
+    """The caption, and below it the meaning of the parameter of the axis, as far as the figure is wide."""
+    width = max(20, int(LETTERS_PER_INCH * figure.get_figwidth()))
+    meaning = meaning_of(axis.key, sweep.key_comments) if axis.key else ""
+    style.caption(figure, f"{text}\n{textwrap.shorten(meaning, width, placeholder=' ...')}".rstrip())
 
 
 def mark_value(axes, axis, value):

@@ -20,11 +20,15 @@ SHOWN = 1.3  # half widths of the loaded part of the base
 
 def draw(sweep):
     """Figures of up to twelve points each."""
-    drawn = [k for k, profile in enumerate(sweep.profiles) if profile is not None]
+    drawn = [k for k, profile in enumerate(sweep.profiles) if profile is not None and _is_loaded(profile)]
     if not drawn:
-        raise NotDrawn("no point has a base profile")
+        raise NotDrawn("no point has a base that carries a force")
     limits = _limits([sweep.profiles[k] for k in drawn])
     return [_figure(sweep, drawn[start : start + MOST], limits) for start in range(0, len(drawn), MOST)]
+
+
+def _is_loaded(profile):
+    return any(np.abs(np.nan_to_num(profile[name])).max(initial=0.0) > 0.0 for name in ("normal", "shear"))
 
 
 def _figure(sweep, points, limits):
@@ -60,7 +64,7 @@ def _panel(axes, name, profile):
     axes.axhline(0.0, color=style.FAINT, linewidth=0.6, zorder=0)
     bins = profile.binned
     for force, colour in (("normal", style.BLUE), ("shear", style.ORANGE)):
-        axes.plot(profile["x"], profile[force], "o", color=colour, markersize=1.8, alpha=0.4, markeredgewidth=0)
+        axes.plot(profile["x"], profile[force], "o", color=style.pale(colour, 0.5), markersize=1.8, markeredgewidth=0, zorder=1.5)
         draw_with_error_band(axes, bins["x"], bins[force], bins[f"{force}_error"], colour, f"{force} force")
     axes.set_title(in_lines(name, LONGEST_LINE), fontsize=7, pad=3)
     text = _members_and_dip(profile.attributes)

@@ -31,7 +31,7 @@ std::string store_number(const Argument& argument, const std::string& text, Numb
   const auto* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   const auto as_double = static_cast<double>(value);
-  const bool inside = as_double >= argument.bound.least && as_double <= argument.bound.most;
+  const bool inside = std::isfinite(as_double) && as_double >= argument.bound.least && as_double <= argument.bound.most;
   if (error != std::errc{} || stop != end || !inside) return wanted_number<Number>(argument.bound);
   target = value;
   return "";
