@@ -153,18 +153,21 @@ SI = "units = 'SI'\n[method]\ntime_step = 1e-9\n[grains]\ndiameter = 1e-3\nmass 
 
 
 def test_units_that_contradict(lab):
-    refused(lab, "d_si.dump", SI_DUMP, "has units si, the scene reduced: set start.scale, or units = \"SI\"")
+    refused(lab, "d_si.dump", SI_DUMP, "the file has units si, the scene reduced (d, m and g are 1): set start.scale to relate their lengths, or units = \"SI\"")
     scaled = read(lab, "d_si.dump", SI_DUMP, "scale = 1000\n")
     assert scaled.position.tolist() == [[1.0, 1.0]] and scaled.radius.tolist() == [0.5]
     assert "units: si, those of the scene SI\n" in checked(lab, "d_si.dump", SI_DUMP, rest=SI)
-    refused(lab, "mm.csv", "x (mm),y (mm),d (mm)\n0,1,1\n", "has units mm, the scene reduced")
+    text = checked(lab, "mm.csv", "x (mm),y (mm),d (mm)\n0,1,1\n")
+    assert "warning          start.from: the file has units mm, the scene reduced (d, m and g are 1): its numbers are taken as" in text
+    assert read(lab, "mm.csv", "x (mm),y (mm),d (mm)\n0,1,1\n").position.tolist() == ONE
+    refused(lab, "m.csv", "x (m),y (m),d (m)\n0,1,0.001\n", "the file has units m, the scene reduced")
     in_metres = read(lab, "mm.csv", "x (mm),y (mm),d (mm),vx (mm/s),mass (mg)\n2,1,1,5,2\n", rest=SI)
     assert in_metres.position[0, 1] == pytest.approx(1e-3, rel=1e-6)
     assert in_metres.radius[0] == pytest.approx(5e-4, rel=1e-15)
     assert in_metres.mass[0] == pytest.approx(2e-6, rel=1e-15)
     assert in_metres.velocity[0, 0] == pytest.approx(5e-3, rel=1e-12)
-    lj = SI_DUMP.replace("si\n", "lj\n", 1)
-    refused(lab, "lj.dump", lj, "has units reduced, the scene SI", rest=SI)
+    lj = SI_DUMP.replace("si\n", "lj\n", 1).replace("0.0005", "0.5")
+    refused(lab, "lj.dump", lj, "the file has units reduced, the scene SI", rest=SI)
     small = checked(lab, "small.csv", "x,y,radius\n0,0.01,0.0025\n")
     assert "warning          start.from: diameters of 0.005 are far from grains.diameter = 1" in small
 

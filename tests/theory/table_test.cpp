@@ -80,6 +80,8 @@ TEST_F(TableTest, LinesInUtf16) {
   EXPECT_EQ(lines(std::string(units, sizeof(units) - 1)), (Lines{"\u00b5m\U0001F600"}));
 }
 
+TEST_F(TableTest, LinesInLatin1) { EXPECT_EQ(lines("\xB5m\n\u00b5m \u20ac\n"), (Lines{"\u00b5m", "\u00b5m \u20ac"})); }
+
 TEST_F(TableTest, PackedFiles) {
   std::string text;
   for (int k = 0; k < 20000; ++k) text += "line " + std::to_string(k) + "\n";
@@ -162,10 +164,11 @@ TEST_F(TableTest, ColumnsOfNumbers) {
 }
 
 TEST_F(TableTest, AnySeparator) {
-  for (const auto* text : {"a,b\n1,2\n3,4\n", "a;b\n1;2\n3;4\n", "a\tb\n1\t2\n3\t4\n", "  a   b\n 1  2\n3 4\n",
-                           "# a b\n1 2\n3 4\n", "% a, b\n1 2\n3 4\n", "a;b\n1,0;2,0\n3,0;4,0\n", "a b\n1, 2\n3, 4\n",
-                           "a,b,\n1,2,\n3,4,\n", "A simulation of mine\na,b\n1,2\n3,4\n", ",a,b\n0,1,2\n1,3,4\n",
-                           "\"a\" \"b\"\n\"1\" 1 2\n\"2\" 3 4\n", "a,b\nm,kg\n1,2\n3,4\n"}) {
+  for (const auto* text :
+       {"a,b\n1,2\n3,4\n", "a;b\n1;2\n3;4\n", "a\tb\n1\t2\n3\t4\n", "  a   b\n 1  2\n3 4\n", "# a b\n1 2\n3 4\n",
+        "% a, b\n1 2\n3 4\n", "a;b\n1,0;2,0\n3,0;4,0\n", "a b\n1, 2\n3, 4\n", "a,b,\n1,2,\n3,4,\n",
+        "A simulation of mine\na,b\n1,2\n3,4\n", ",a,b\n0,1,2\n1,3,4\n", " a   b\n--- ---\n1 2\n3 4\n",
+        "sep=;\na;b\n1;2\n3;4\n", "\"a\" \"b\"\n\"1\" 1 2\n\"2\" 3 4\n", "a,b\nm,kg\n1,2\n3,4\n"}) {
     const auto file = read(text, {"a", "b"});
     EXPECT_EQ(file.numbers("a"), (Numbers{1.0, 3.0})) << text;
     EXPECT_EQ(file.numbers("b"), (Numbers{2.0, 4.0})) << text;

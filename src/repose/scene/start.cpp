@@ -138,8 +138,8 @@ std::optional<StartState> look_at_start(Scene& scene, Reader& reader, const std:
     auto state = state_at_start(scene);
     take_facts(state, scene);
     check_grains(state, scene, reader);
-    check_units(state, scene, reader);
     start.warnings = state.warnings;
+    check_units(state, scene, reader, start.warnings);
     const auto deepest = deepest_overlap(state, scene);
     add_warnings(state, scene, deepest, start.warnings);
     for (auto& warning : start.warnings) warning = "start.from: " + warning;

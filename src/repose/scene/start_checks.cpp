@@ -44,27 +44,30 @@ Range diameters(const StartState& state) {
   return range_of(state, [](const auto& row) { return 2.0 * row.radius; });
 }
 
+/// Whether no grain is within a factor of 30 of the nominal size.
+bool far_from_nominal(const StartState& state, const Scene& scene) {
+  constexpr double far = 30.0;
+  const auto sizes = diameters(state);
+  return sizes.low > far * scene.grains.diameter || far * sizes.high < scene.grains.diameter;
+}
+
 }  // namespace
 
-void check_units(const StartState& state, const Scene& scene, Problems& problems) {
+void check_units(const StartState& state, const Scene& scene, Problems& problems, std::vector<std::string>& warnings) {
   const auto& units = state.units;
-  if (units.name.empty() && !units.reduced) return;
   const bool si = scene.units == "SI";
-  const bool scaled = scene.start.scale != 1.0;
+  const bool given = !units.name.empty() || units.reduced;
   const bool known = units.length > 0.0 || units.mass > 0.0 || units.reduced;
-  if (!known) {
-    if (scaled) return;
-    return problems.problem("start.from",
-                            fmt::format(" = \"{}\": {}: has units {}, which are unknown here; set start.scale to "
-                                        "relate its lengths to those of the scene",
-                                        scene.start.from, scene.start.path, units.name));
+  if (!given || scene.start.scale != 1.0 || (known && units.reduced == !si)) return;
+  const auto text = fmt::format("the file has units {}, the scene {}", units.reduced ? "reduced" : units.name,
+                                si ? "SI (m, kg, s)" : "reduced (d, m and g are 1)");
+  if (far_from_nominal(state, scene) || !known) {
+    return problems.problem(
+        "start.from",
+        fmt::format(" = \"{}\": {}: {}: set start.scale to relate their lengths{}", scene.start.from, scene.start.path,
+                    text, known ? fmt::format(", or units = \"{}\"", si ? "reduced" : "SI") : ""));
   }
-  if (units.reduced == !si || scaled) return;
-  const char* scene_units = si ? "SI (m, kg, s)" : "reduced";
-  const auto file_units = units.reduced ? std::string("reduced") : units.name;
-  problems.problem("start.from",
-                   fmt::format(" = \"{}\": {}: has units {}, the scene {}: set start.scale, or units = \"{}\"",
-                               scene.start.from, scene.start.path, file_units, scene_units, si ? "reduced" : "SI"));
+  warnings.push_back(text + ": its numbers are taken as they are; start.scale relates lengths");
 }
 
 void add_warnings(const StartState& state, const Scene& scene, const std::optional<DeepestOverlap>& deepest,
@@ -99,14 +102,11 @@ void add_warnings(const StartState& state, const Scene& scene, const std::option
   if (deepest && deepest->relative > usual_overlap_at_start) {
     warn(fmt::format("{} overlap by {:.3g} of their mean diameter", deepest->grains, deepest->relative));
   }
-  constexpr double far = 30.0;
-  const auto sizes = diameters(state);
-  const double d = scene.grains.diameter;
-  if (sizes.low > far * d || far * sizes.high < d) {
+  if (far_from_nominal(state, scene)) {
     warn(fmt::format(
         "diameters of {} are far from grains.diameter = {:.6g}: are the units others? start.scale multiplies "
         "lengths",
-        extent_of(sizes), d));
+        extent_of(diameters(state)), scene.grains.diameter));
   }
   const auto names = scene.material_names();
   const auto ratio = range_of(state, [&](const auto& row) {

@@ -13,8 +13,9 @@
 
 namespace repose {
 
-/// Refuses a file whose units contradict those of the scene, unless start.scale relates them.
-void check_units(const StartState& state, const Scene& scene, Problems& problems);
+/// Where the units of a file contradict those of the scene and start.scale does not relate them: a problem if its sizes
+/// are far from those of the scene, else a warning.
+void check_units(const StartState& state, const Scene& scene, Problems& problems, std::vector<std::string>& warnings);
 
 /// Adds what is suspicious in a file: sides and width of its box, sizes and masses far from those of the scene,
 /// overlaps.

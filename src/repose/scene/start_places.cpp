@@ -38,10 +38,10 @@ Factors factors_for(const StartState& state, const Scene& scene) {
   return factors;
 }
 
-/// In a reduced scene a file with units of its own gives places and sizes alone.
+/// In a reduced scene a file with units of its own that is scaled gives places and sizes alone.
 void leave_out_other_units(StartState& state, const Scene& scene) {
   const auto& units = state.units;
-  if (scene.units == "SI" || (units.length == 0.0 && units.mass == 0.0)) return;
+  if (scene.units == "SI" || scene.start.scale == 1.0 || (units.length == 0.0 && units.mass == 0.0)) return;
   bool any = false;
   for (auto& row : state.grains) {
     any |= row.mass.has_value() || row.spin != 0.0 || row.velocity != Vec<2>{};

@@ -26,7 +26,8 @@ std::optional<std::string_view> comment_in(std::string_view line) {
   return end == std::string_view::npos ? std::string_view() : text.substr(end);
 }
 
-bool blank(std::string_view line) { return line.find_first_not_of(white) == std::string_view::npos; }
+/// Whether a line says nothing: it is blank, or a rule of dashes under the names.
+bool blank(std::string_view line) { return line.find_first_not_of(" \t\r-=_+|") == std::string_view::npos; }
 
 /// Whether a line holds values, not names: at least half of its cells are numbers, by some separator.
 bool has_numbers(std::string_view line) {

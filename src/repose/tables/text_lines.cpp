@@ -65,6 +65,26 @@ void append_utf8(std::uint32_t code, std::string& text) {
   }
 }
 
+/// Whether the bytes that are not ASCII form characters of UTF-8: a lead byte and as many more as it says.
+bool is_utf8(std::string_view text) {
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const auto byte = static_cast<unsigned char>(text[k]);
+    if (byte < 0x80U) continue;
+    const std::size_t more = byte >= 0xF0U ? 3 : byte >= 0xE0U ? 2 : byte >= 0xC2U ? 1 : 0;
+    if (more == 0 || byte > 0xF4U || k + more >= text.size()) return false;
+    for (std::size_t next = 0; next < more; ++next) {
+      if ((static_cast<unsigned char>(text[++k]) & 0xC0U) != 0x80U) return false;
+    }
+  }
+  return true;
+}
+
+std::string from_latin1(std::string_view text) {
+  std::string result;
+  for (const char c : text) append_utf8(static_cast<unsigned char>(c), result);
+  return result;
+}
+
 }  // namespace
 
 /// zlib passes a file that is not packed through as it is.
@@ -196,10 +216,10 @@ bool TextLines::next(std::string& line) {
     if (stop == block_.end()) continue;
     after_return_ = *stop == '\r';
     ++place_;
-    ++number_;
-    return true;
+    break;
   }
   if (any) ++number_;
+  if (!is_utf8(line)) line = from_latin1(line);
   return any;
 }
 
