@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What makes the results of a run doubtful is said once, and kept in summary.json. Units: diameter, mass, gravity."""
+"""What makes the results of a run doubtful is reported once, and kept in summary.json. Units: diameter, mass, gravity."""
 
 from conftest import summary
 from wall_scenes import grain, wall

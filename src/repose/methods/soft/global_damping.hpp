@@ -27,9 +27,9 @@ HalfStep<D> damped(const GlobalDamping& damping, double kick, const HalfStep<D>&
   HalfStep<D> with{locally_damped(change.velocity, before.velocity, damping.local),
                    locally_damped(change.rim_velocity, before.rim_velocity, damping.local)};
   const double drag = damping.viscous * kick;
-  const double share = 1.0 / (1.0 + 0.5 * drag);
-  with.velocity = (with.velocity - before.velocity * drag) * share;
-  with.rim_velocity = (with.rim_velocity - before.rim_velocity * drag) * share;
+  const double fraction = 1.0 / (1.0 + 0.5 * drag);
+  with.velocity = (with.velocity - before.velocity * drag) * fraction;
+  with.rim_velocity = (with.rim_velocity - before.rim_velocity * drag) * fraction;
   return with;
 }
 
