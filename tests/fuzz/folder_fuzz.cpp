@@ -14,10 +14,9 @@
 #include <hdf5.h>
 
 #include <array>
+#include <atomic>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <functional>
 #include <limits>
@@ -34,7 +33,6 @@ constexpr const char* scene_of_runs = R"(
 kind = "row"
 half_width = 4
 [box]
-walls = true
 half_width = 6
 [source]
 kind = "pour"
@@ -81,7 +79,7 @@ constexpr std::array odd_numbers = {0.0,
                                     std::numeric_limits<double>::infinity()};
 
 void names_below(hid_t file, std::vector<std::string>& names) {
-  H5Ovisit(
+  H5Ovisit2(
       file, H5_INDEX_NAME, H5_ITER_INC,
       [](hid_t, const char* name, const H5O_info_t* info, void* list) -> herr_t {
         if (info->type == H5O_TYPE_DATASET) static_cast<std::vector<std::string>*>(list)->emplace_back(name);
@@ -200,8 +198,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     edit(folder / files[data[k] % files.size()], data + k);
   }
   attempt([&] { analyse(read_record(folder.string())); });
-  for (const auto* format : {"csv", "vtk", "ovito"})
-    attempt([&] { export_run({.folder = folder.string(), .to = format}); });
+  ExportOrder order;
+  order.folder = folder.string();
+  for (const auto* format : {"csv", "vtk", "ovito"}) {
+    order.to = format;
+    attempt([&] { export_run(order); });
+  }
   attempt([&] {
     auto found = find_interrupted(folder.string());
     if (found.finished) return;
