@@ -82,7 +82,7 @@ def test_a_killed_run_can_be_analysed(lab):
     process.kill()
     process.wait()
     assert lab("analyse", "out", "--quiet").returncode == 0
-    assert summary(lab.path / "out")["time"] >= 50.0
+    assert summary(lab.path / "out")["time"] >= 49.9  # frames come every 50, in whole steps
 
 
 def test_binned_base_profile(analysis):

@@ -196,9 +196,10 @@ def test_a_sweep_is_resumed_by_its_own_command(lab):
 
 
 def test_a_failed_run_is_not_resumed(lab):
-    text = "contact = { normal = { law = 'hooke' } }\n" + "".join(
-        f"[[grain]]\nposition = [{x}, 0.0]\n" for x in (0.0, 0.05)) + "[stop]\ntime = 5\n"
-    lab.run(text, expect=1)
+    """A grain runs into another between two steps."""
+    lab.run("gravity = 0\n[method]\ntime_step = 0.01\n[contact]\nnormal = { law = 'hooke', stiffness = 1 }\n"
+            "[[grain]]\nposition = [0.0, 0.0]\nvelocity = [30.0, 0.0]\n[[grain]]\nposition = [3.0, 0.0]\n"
+            "[stop]\ntime = 5\n[output]\nseries = 0.01\n", expect=1)
     result = lab("resume", "out")
     assert result.returncode == 2 and "the run failed" in result.stderr
 
