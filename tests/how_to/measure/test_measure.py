@@ -79,7 +79,7 @@ def test_number_and_datasets_are_right(out):
             inside = np.floor(height) == number
             assert layers["grains"][row] == inside.sum()
             assert layers["diameter"][row] == pytest.approx(diameter[inside].mean())
-        assert layers["diameter"].attrs["unit"] == b"L" and layers["diameter"].attrs["meaning"]
+        assert layers["diameter"].attrs["unit"] == "L" and layers["diameter"].attrs["meaning"]
 
 
 def test_appears_in_tables_and_in_python(out):
