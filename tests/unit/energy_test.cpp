@@ -92,8 +92,8 @@ TEST(Energy, PistonAndLoad) {
 }
 
 // All combinations of laws, with grains that fall into a box. Energies of the order of 1000 close to a part in a
-// thousand: second order of the step in some thousand impacts. The cumulative law may return more than it stored when
-// the normal force changes (docs/physics/soft.md); this counts as friction, not as an error.
+// thousand: second order of the step in about a thousand impacts. The cumulative law may return more than it stored
+// when the normal force changes (docs/physics/soft.md); this counts as friction, not as an error.
 TEST(Energy, EveryLawCloses) {
   for (const auto& normal : testing::every_normal_law()) {
     for (const auto& tangential : testing::every_tangential_law()) {
@@ -107,7 +107,7 @@ TEST(Energy, EveryLawCloses) {
         world.add({{-3.6 + 1.2 * (k % 6) + 0.05 * (k % 7), 0.8 + 1.3 * (k / 6)}}, {{0.3 * (k % 5 - 2), 0.0}},
                   0.5 * (k % 3), 0.4 + 0.02 * (k % 6));
       }
-      world.advance(100000);
+      world.advance(40000);
       const auto end = world.energy();
       EXPECT_GT(end.dissipated(), 0.3 * end.sources);
       EXPECT_NEAR(end.error(), 0.0, 1e-3 * end.put_in());
