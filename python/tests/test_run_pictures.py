@@ -315,6 +315,21 @@ def test_walls_show_the_force_of_the_grains(tmp_path):
     assert legend_of(axes) == ["floor"]
 
 
+# The normal of a wall that rotates turns back with its angle: a force of 3 along it at each row is a pressure of 3 at each.
+# Its angle is no displacement.
+def test_a_rotating_wall_shows_the_force_along_its_normal(tmp_path):
+    folder = write_run(tmp_path / "run", moving=pyramid(8), floor=True)
+    with h5py.File(folder / "run.h5", "a") as file:
+        angle = np.linspace(0.0, 1.5, len(file["series/time"]))
+        normal = np.array([np.sin(1.5 - angle), np.cos(1.5 - angle)])  # [0, 1] at the end
+        file["walls/rotates"][0] = 1
+        file["series/wall_displacement"][:, 0] = angle
+        file["series/wall_force_x"][:, 0], file["series/wall_force_y"][:, 0] = -3.0 * normal
+    _, figure = drawn(folder, "walls")
+    (axes,) = figure.axes
+    np.testing.assert_allclose(axes.get_lines()[0].get_ydata(), 3.0)
+
+
 def test_moved_wall_is_drawn_at_its_displacement(tmp_path):
     folder = write_run(tmp_path / "run", moving=pyramid(8), floor=True)
     with h5py.File(folder / "run.h5", "a") as file:

@@ -99,12 +99,12 @@ def wall_places(run, state):
     turns = np.asarray(run.walls["rotates"], dtype=bool)
     if turns.any():
         centre = run.walls["centre"][turns]
-        points[turns] = centre + _turned(points[turns] - centre, moved[turns])
-        normals[turns] = _turned(normals[turns], (moved - series[-1])[turns])  # they are those of the last row
+        points[turns] = centre + turned(points[turns] - centre, moved[turns])
+        normals[turns] = turned(normals[turns], (moved - series[-1])[turns])  # they are those of the last row
     return points + moved[:, None] * run.walls["direction"], normals
 
 
-def _turned(vectors, angles):
+def turned(vectors, angles):
     """Vectors (K, 2), turned counter-clockwise by angles (K) in radians."""
     sine, cosine = np.sin(angles), np.cos(angles)
     x, y = vectors.T

@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Force of the grains on each wall, and displacements of the walls that move."""
+"""Force of the grains on each wall, and displacements of the walls that move along a direction."""
 
 import numpy as np
 from matplotlib.figure import Figure
 
 from repose import style
 from repose.errors import NotDrawn
+from repose.pictures.run.shapes import turned
 
 MOST = len(style.SERIES)  # walls, one for each colour
 
@@ -20,7 +21,8 @@ def draw(run, state):
         raise NotDrawn("the run has no walls, or fewer than two rows in its time series")
     force = np.stack([force, run.series["wall_force_y"]], axis=-1)  # (rows, walls, 2)
     displacement = run.series["wall_displacement"]
-    moving = np.abs(displacement).max(axis=0) > 0.0
+    straight = np.any(run.walls["direction"] != 0.0, axis=1)  # others turn about a centre, or their surface runs
+    moving = straight & (np.abs(displacement).max(axis=0) > 0.0)
     carried = np.abs(force).max(axis=(0, 2))
     chosen = np.lexsort((-carried, ~moving))[:MOST]
     if not moving.any() and not carried.any():
@@ -31,10 +33,11 @@ def draw(run, state):
     figure = Figure(figsize=(5.2, 3.6 if moving.any() else 2.4))
     rows = figure.subplots(2 if moving.any() else 1, 1, sharex=True, squeeze=False)[:, 0]
     for colour, wall in zip(style.SERIES, chosen):
-        # Positive: pressure on a fixed wall, resistance to the motion of a moving one.
-        along = run.walls["direction"][wall] if moving[wall] else run.walls["normal"][wall]
+        # Positive: resistance to the motion of a wall that moves along a direction, pressure on any other.
+        along = run.walls["direction"][wall] if moving[wall] else _normals(run, wall, displacement[:, wall])
         label = str(run.walls["name"][wall])
-        rows[0].plot(time, -force[:, wall] @ along / weight, color=colour, linewidth=0.8, label=label)
+        pressed = -np.sum(force[:, wall] * along, axis=1) / weight
+        rows[0].plot(time, pressed, color=colour, linewidth=0.8, label=label)
         if moving[wall]:
             rows[1].plot(time, displacement[:, wall], color=colour, linewidth=0.8)
     rows[0].set_ylabel(units.force("force of the grains"))
@@ -45,3 +48,9 @@ def draw(run, state):
     figure.align_ylabels(rows)
     style.fit(figure)
     return figure
+
+
+def _normals(run, wall, angle):
+    """The unit normal of a wall that moves along no direction, at each row (rows, 2); the file has that of the last."""
+    normals = np.tile(run.walls["normal"][wall], (len(angle), 1))
+    return turned(normals, angle - angle[-1]) if run.walls["rotates"][wall] else normals
