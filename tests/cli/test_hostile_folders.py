@@ -244,7 +244,15 @@ def forge_radius(file):
     file["grains/radius"][2] = -1.0
 
 
-@pytest.mark.parametrize("forge", [forge_ids, forge_length, forge_rank, forge_type, forge_radius])
+def forge_lever(file):
+    file["contacts/lever"][0] = 1e308
+
+
+def forge_place(file):
+    file["grains/position"][0] = [0.0, 1e100]
+
+
+@pytest.mark.parametrize("forge", [forge_lever, forge_place, forge_ids, forge_length, forge_rank, forge_type, forge_radius])
 def test_forged_grains_are_refused(lab, heap, forge):
     shutil.copytree(heap, lab.path / "out")
     with changed(lab.path / "out/run.h5") as file:

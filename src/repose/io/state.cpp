@@ -85,12 +85,13 @@ Grains<D> read_grains(const Hdf5Reader& file) {
   read_columns(file, "grains", grain_state_columns<D>(), rows);
   Grains<D> grains;
   grains.reserve(rows.size());
+  constexpr double farthest = 1e15;  // times its radius: cells of a grid up to there can be counted
   for (const auto& row : rows) {
     const bool sound = std::isfinite(row.radius) && row.radius > 0.0 && std::isfinite(row.mass) && row.mass > 0.0 &&
-                       std::isfinite(dot(row.position, row.position));
+                       std::fabs(row.position[0]) < farthest * row.radius &&
+                       std::fabs(row.position[1]) < farthest * row.radius;
     if (!sound) {
-      throw InputError(
-          fmt::format("{}: grains: {} has no finite position, or no radius and mass > 0", file.path(), row.id));
+      throw InputError(fmt::format("{}: grains: {} has no place, or no radius and mass > 0", file.path(), row.id));
     }
     Grain<D> grain;
     grain.position = row.position;

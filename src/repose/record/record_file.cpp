@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <stdexcept>
@@ -75,6 +76,17 @@ void check_partners(const std::string& path, const OrderedGrains<2>& grains, con
                (contact.second < 0 ? contact.second >= -number_of_walls : grains.find(contact.second).has_value());
       });
   if (!sound) throw InputError(fmt::format("{}: contacts: names a grain or wall that is not there", path));
+  // Grids of the analysis cover contacts.
+  constexpr double longest_lever = 10.0;  // times the radii of the pair
+  constexpr double rounding = 1e-6;
+  const auto radius = [&](std::int64_t partner) {
+    return partner < 0 ? 0.0 : grains->line[*grains.find(partner)].radius;
+  };
+  const bool placed = std::all_of(contacts.list.begin(), contacts.list.end(), [&](const auto& contact) {
+    const double reach = longest_lever * (radius(contact.first) + radius(contact.second));
+    return std::fabs(contact.first_lever) <= reach && dot(contact.normal, contact.normal) <= 1.0 + rounding;
+  });
+  if (!placed) throw InputError(fmt::format("{}: contacts: one does not lie at its grains", path));
 }
 
 void write_record(const std::string& path, const Record& record, const std::vector<std::string>& frames,
