@@ -267,7 +267,7 @@ def test_refused_starts(lab, heap):
     shutil.copy(heap / "run.h5", damaged / "run.h5")
     with changed(damaged / "run.h5") as file:
         file["grains/radius"][3] = -1.0
-    refused("[start]\nfrom = 'damaged'\n[stop]\ntime = 1\n", "3 has no finite position, or no radius and mass > 0")
+    refused("[start]\nfrom = 'damaged'\n[stop]\ntime = 1\n", "3 has no place, or no radius and mass > 0")
 
 
 @pytest.mark.parametrize(
