@@ -30,6 +30,14 @@ def test_grains_in_flight_are_not_supported(tmp_path):
     assert box.x_max - box.x_min < 20.0
 
 
+def test_a_bed_that_hops_is_shown_whole(tmp_path):
+    """Rows above a gap of 1.5 diameters belong to the bed; a grain 4 diameters above these does not."""
+    rows = np.concatenate([base_row(6) + [0.0, 1.0], base_row(6) + [0.0, 2.5], base_row(6) + [0.0, 3.5], [[0.0, 7.5]]])
+    run = repose.open(write_run(tmp_path / "run", rows, base_row(6)))
+    box = visible_box(run, run.state)
+    assert 4.0 < box.y_max < 7.0
+
+
 def test_pair_in_flight_is_not_supported(tmp_path):
     pair = np.array([[0.0, 50.0], [1.0, 50.0]])
     run = repose.open(write_run(tmp_path / "run", np.concatenate([pyramid(4), pair]), base_row(4)))

@@ -15,6 +15,7 @@ import pytest
 import xxhash
 
 PROGRAM = os.environ.get("REPOSE_PROGRAM", "")
+LIMIT = 600  # seconds: over ten times what any program of the tests takes on a quiet machine
 
 # 40 grains poured from a height of 10 onto a narrow row. They rest after about a tenth of a second of computing.
 HEAP = """[base]
@@ -32,7 +33,7 @@ time = 500
 """
 
 
-def repose(*args, cwd=None, timeout=120, before=""):
+def repose(*args, cwd=None, timeout=LIMIT, before=""):
     """Runs the program. `before` is shell text that precedes it, such as a limit on the size of files."""
     command = [PROGRAM, *map(str, args)]
     if before:
@@ -114,7 +115,7 @@ class Laboratory:
     def __call__(self, *args, **options):
         return repose(*args, cwd=self.path, **options)
 
-    def shell(self, line, timeout=60, **environment):
+    def shell(self, line, timeout=LIMIT, **environment):
         """Runs a line of bash in which $REPOSE is the program."""
         return subprocess.run(["bash", "-c", line], cwd=self.path, env={**os.environ, "REPOSE": PROGRAM, **environment},
                               capture_output=True, text=True, errors="replace", timeout=timeout)

@@ -8,7 +8,7 @@ import time
 
 import h5py
 import pytest
-from conftest import PROGRAM, datasets, summary
+from conftest import LIMIT, PROGRAM, datasets, summary
 
 KILLS = int(os.environ.get("REPOSE_KILLS", "2"))
 PARTS = int(os.environ.get("REPOSE_PARTS", "5"))  # parts of a file; it is cut or changed at the end of each
@@ -107,13 +107,13 @@ def started(lab, out, *options):
 
 
 def resumed(lab, out, *options, expect=0):
-    result = lab("resume", out, "--quiet", *options, timeout=60)
+    result = lab("resume", out, "--quiet", *options)
     assert result.returncode == expect, result.stderr
     return result
 
 
-def wait_for_checkpoint(folder, seconds=20):
-    end = time.monotonic() + seconds
+def wait_for_checkpoint(folder):
+    end = time.monotonic() + LIMIT
     while time.monotonic() < end:
         if (folder / "checkpoints/1.h5").exists():
             return
@@ -121,9 +121,9 @@ def wait_for_checkpoint(folder, seconds=20):
     pytest.fail("no checkpoint")
 
 
-def wait_until(folder, simulated, seconds=30):
+def wait_until(folder, simulated):
     """Waits until a checkpoint of this simulated time exists, on a machine of any load."""
-    end = time.monotonic() + seconds
+    end = time.monotonic() + LIMIT
     while time.monotonic() < end:
         for path in folder.glob("checkpoints/?.h5"):
             with h5py.File(path, "r") as file:

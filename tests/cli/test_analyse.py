@@ -12,7 +12,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
-from conftest import HEAP, PROGRAM, changed, datasets, summary
+from conftest import HEAP, LIMIT, PROGRAM, changed, datasets, summary
 
 TRACKED = HEAP.replace("count = 40", "count = 120") + "[output]\ntrack = 1\nframes = 50\n"
 
@@ -22,7 +22,7 @@ def tracked(tmp_path_factory):
     """A heap of 120 grains with a track, at rest. Tests copy it before they change anything."""
     folder = tmp_path_factory.mktemp("tracked")
     (folder / "scene.toml").write_text(TRACKED)
-    subprocess.run([PROGRAM, "run", "scene.toml", "--out", "out", "--quiet"], cwd=folder, check=True, timeout=60)
+    subprocess.run([PROGRAM, "run", "scene.toml", "--out", "out", "--quiet"], cwd=folder, check=True, timeout=LIMIT)
     return folder / "out"
 
 
@@ -172,7 +172,7 @@ def test_a_lattice_pile_keeps_its_core_and_sheds_its_flanks(lab):
     neighbours are still near."""
     rows, rise = 40, np.sqrt(3) / 2
     example = Path(__file__).resolve().parents[2] / "examples/pyramid-60.toml"
-    result = lab("run", str(example), "--out", "out", "--quiet", "--set", "output.frames=0", timeout=200)
+    result = lab("run", str(example), "--out", "out", "--quiet", "--set", "output.frames=0")
     assert result.returncode == 0, result.stderr
     out = lab.path / "out"
     with h5py.File(out / "run.h5", "r") as file:

@@ -35,7 +35,7 @@ def test_wide_beds(lab):
         lab.scene(SCENE % (width, int(0.45 * width * 30 * width**1.5)))
         found = []
         for seed in range(1, seeds + 1):
-            result = lab("run", "scene.toml", "--out", "out", "--overwrite", "--quiet", "--seed", str(seed), timeout=300)
+            result = lab("run", "scene.toml", "--out", "out", "--overwrite", "--quiet", "--seed", str(seed))
             assert result.returncode == 0, result.stderr
             run = summary(lab.path / "out")
             found.append([run[key] for key in ("solid_fraction", "coordination", "anisotropy", "fabric_direction_deg")])

@@ -55,7 +55,7 @@ def test_beverloo(lab):
     rates = []
     for opening in openings:
         end = 100 + 3000 / (opening - 1.3) ** 1.5
-        out = lab.run(SILO.format(half=opening / 2, end=end), out=f"o{opening}", timeout=600)
+        out = lab.run(SILO.format(half=opening / 2, end=end), out=f"o{opening}")
         found = datasets(out / "run.h5")
         time, lost = found["/series/time"], found["/series/lost"]
         steady = (lost > 200) & (lost < 1400)

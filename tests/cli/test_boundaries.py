@@ -15,7 +15,7 @@ STIFF = "[contact]\nnormal = { law = 'hooke', stiffness = 1e4 }\ntangential = { 
 
 
 def example(lab, name, *options, out="out"):
-    result = lab("run", EXAMPLES / f"{name}.toml", "--out", out, "--quiet", *options, timeout=120)
+    result = lab("run", EXAMPLES / f"{name}.toml", "--out", out, "--quiet", *options)
     assert result.returncode == 0, result.stderr
     return lab.path / out
 

@@ -69,7 +69,7 @@ def lab(tmp_path_factory):
     lab = Laboratory(tmp_path_factory.mktemp("claims"))
     lab.scene(HEAP, "heap.toml")
     lab.scene(TEXT, "sweep.toml")
-    lab.result = lab("sweep", "sweep.toml", "--out", "out", timeout=120)
+    lab.result = lab("sweep", "sweep.toml", "--out", "out")
     assert lab.result.returncode == 0, lab.result.stderr
     return lab
 

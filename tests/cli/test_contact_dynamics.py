@@ -138,7 +138,7 @@ def test_resuming_gives_the_same_bits(lab, how, tmp_path):
     scene.write_text(text)
     folder = tmp_path / "cut"
     process = subprocess.Popen([PROGRAM, "run", scene, "--out", folder, "--quiet"])
-    time.sleep(0.4 * whole["wall_seconds"])
+    wait_until(folder, 0.4 * whole["time"])
     process.send_signal(how)
     assert process.wait() == (130 if how == signal.SIGINT else -signal.SIGKILL)
     subprocess.run([PROGRAM, "resume", folder, "--threads", "2", "--quiet"], check=True)

@@ -278,5 +278,5 @@ def test_siconos_solves_the_same_problem(bed):
             Nsgs(bed.problem)
         return
     nsgs = Nsgs(bed.problem)
-    nsgs.solve(1e-4, seconds=10)
+    nsgs.solve(1e-4, seconds=600)
     assert nsgs.residual() <= 1e-4 and nsgs.iterations > 10

@@ -87,7 +87,7 @@ def test_damaged_files_give_no_wrong_analysis(interrupted, name, cut):
         path.write_bytes(damaged(path.read_bytes(), part, cut))
         derived = name in ("analysis.h5", "summary.json")  # written again by the analysis: a few parts suffice
         for verb in ("analyse", "resume") if not derived or part % 10 == 0 else ("analyse",):
-            result = lab(verb, "copy", "--quiet", timeout=60)
+            result = lab(verb, "copy", "--quiet")
             if result.returncode != 0:
                 assert_clear(result)
             elif verb == "analyse":

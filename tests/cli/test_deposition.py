@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from conftest import PROGRAM, Grains, datasets, summary
+from conftest import LIMIT, PROGRAM, Grains, datasets, summary
 
 SCENE = """
 [method]
@@ -147,7 +147,7 @@ def test_resuming_gives_the_same_bits(lab, how):
     text = scene(0, width=500, count=3_000_000, more="[output]\ncheckpoint = 0.2\n")
     lab.scene(text)
     run = subprocess.Popen([PROGRAM, "run", "scene.toml", "--out", "cut", "--quiet"], cwd=lab.path)
-    deadline = time.monotonic() + 60
+    deadline = time.monotonic() + LIMIT
     while not list((lab.path / "cut").glob("checkpoint*")) and time.monotonic() < deadline and run.poll() is None:
         time.sleep(0.02)
     run.send_signal(how)
@@ -198,12 +198,12 @@ PICTURES = ("packing", "directions", "correlations", "surface")
 def test_pictures(lab):
     more = "[analysis]\ncorrelations = true\nstructure_factor = true\n"
     lab.run(scene(0, width=16, count=300, more=more))
-    drawn = lab("plot", "out", "--format", "svg", "--only", ",".join(PICTURES), timeout=120)
+    drawn = lab("plot", "out", "--format", "svg", "--only", ",".join(PICTURES))
     assert drawn.returncode == 0 and "not drawn" not in drawn.stdout, drawn.stdout + drawn.stderr
     svg = (lab.path / "out/pictures/packing.svg").read_text()
     assert "#2d3f8c" in svg and "#4d4d4d" in svg  # six neighbours, and the base
     plain = lab.run(scene(0, width=16, count=300), out="plain")
-    said = lab("plot", "plain", "--format", "svg", "--only", "correlations", timeout=120).stdout
+    said = lab("plot", "plain", "--format", "svg", "--only", "correlations").stdout
     assert "correlations: not drawn: the packing has no radial or structure_factor" in said
     assert not (plain / "pictures/correlations.svg").exists()
 
@@ -213,7 +213,7 @@ def test_sweep_over_the_angle(lab):
     (lab.path / "scene.toml").write_text(scene(width=10, count=200))
     (lab.path / "sweep.toml").write_text(
         'scene = "scene.toml"\nseeds = 3\n[vary]\nmethod.critical_angle = [0, 30, 60, 90]\n')
-    assert lab("sweep", "sweep.toml", "--out", "out", "--quiet", timeout=120).returncode == 0
+    assert lab("sweep", "sweep.toml", "--out", "out", "--quiet").returncode == 0
     with open(lab.path / "out/table.csv") as file:
         rows = list(csv.DictReader(file))
     for row in rows:
@@ -226,7 +226,7 @@ def test_sweep_over_the_angle(lab):
         assert abs(sum(fractions) - 1) < 1e-12
     fractions = [float(row["solid_fraction"]) for row in rows]
     assert fractions == sorted(fractions, reverse=True)
-    drawn = lab("plot", "out", "--format", "svg", "--only", "packing", timeout=120)
+    drawn = lab("plot", "out", "--format", "svg", "--only", "packing")
     assert drawn.returncode == 0 and (lab.path / "out/pictures/packing-2.svg").exists(), drawn.stdout + drawn.stderr
 
 

@@ -213,6 +213,26 @@ write_dump all custom back.dump id x y vx vy modify sort id format float %.17g
     assert np.allclose(back[:, 3:5], run.found["/grains/velocity"], rtol=1e-15, atol=1e-15)
 
 
+# ASE reads the dump, writes extended XYZ with radii and velocities, and a run starts from that file as from the run.
+def test_there_and_back_through_ase(run):
+    io = pytest.importorskip("ase.io")
+    exported(run, "--to", "ovito", "--out", "for-ase")
+    atoms = io.read(run.path / "for-ase/grains.dump", index=-1, format="lammps-dump-text")
+    found = run.found
+    order = np.argsort(found["/grains/id"])
+    assert len(atoms) == len(order)
+    np.testing.assert_array_equal(atoms.get_positions()[:, :2], found["/grains/position"][order])
+    atoms.set_array("radius", found["/grains/radius"][order])
+    atoms.set_array("velocity", np.pad(found["/grains/velocity"][order], ((0, 0), (0, 1))))
+    io.write(run.path / "back.xyz", atoms, format="extxyz", columns=["symbols", "positions", "radius", "velocity"])
+    again = run.run(f"[start]\nfrom = 'back.xyz'\n[grains]\ndiameter = {2 * float(found['/grains/radius'][0])!r}\n"
+                    "[stop]\ntime = 1e-9\n[output]\nframes = 0\n", "--set", "method.time_step=1e-9", out="again")
+    first = datasets(again / "run.h5")
+    # ASE writes eight decimals.
+    np.testing.assert_allclose(first["/grains/position"], found["/grains/position"][order], rtol=0, atol=2e-8)
+    np.testing.assert_allclose(first["/grains/radius"], found["/grains/radius"][order], rtol=0, atol=1e-8)
+
+
 def table(path):
     """(lines that begin with #, columns by name) of an exported table, quoted cells included."""
     lines = path.read_text().splitlines()

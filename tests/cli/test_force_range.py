@@ -21,9 +21,9 @@ NUMBERS = ("central_force", "dip", "largest")
 def rigid(tmp_path_factory):
     """A rigid heap of 60 grains at rest, analysed with its force range. Tests only read it."""
     lab = Laboratory(tmp_path_factory.mktemp("rigid"))
-    result = lab("run", SCENE, *SMALL, "--out", "out", "--quiet", timeout=120)
+    result = lab("run", SCENE, *SMALL, "--out", "out", "--quiet")
     assert result.returncode == 0, result.stderr
-    result = lab("analyse", "out", "--force-range", timeout=60)
+    result = lab("analyse", "out", "--force-range")
     assert result.returncode == 0, result.stderr
     return lab.path / "out", result.stdout
 
@@ -200,9 +200,9 @@ def test_a_load_is_part_of_the_balance(lab, warm_start):
 def test_rolling_friction_adds_unknowns(lab):
     """Torques are not recorded: the balance of a heap that leans on them is found again to the tolerance of the run."""
     rolling = ["--set", "source.count=30", "--set", "contact.rolling_friction=0.3"]
-    result = lab("run", SCENE, *SMALL, *rolling, "--out", "out", "--quiet", timeout=120)
+    result = lab("run", SCENE, *SMALL, *rolling, "--out", "out", "--quiet")
     assert result.returncode == 0, result.stderr
-    assert lab("analyse", "out", "--force-range", "--quiet", timeout=60).returncode == 0
+    assert lab("analyse", "out", "--force-range", "--quiet").returncode == 0
     found = summary(lab.path / "out")["force_range"]
     assert found["problem"] == "" and found["unknowns"] == 3 * found["contacts"]
     assert found["unbalanced"] < 5e-3, "the run stops at a net force of 1e-3"
@@ -236,8 +236,8 @@ def test_a_sweep_has_the_mean_over_its_members(lab, rigid):
     assert "count = 60" in scene
     lab.scene(scene.replace("count = 60", "count = 30"), "heap.toml")
     lab.scene("scene = 'heap.toml'\nseeds = 2\n[vary]\ncontact.friction = [0.5]\n", "sweep.toml")
-    assert lab("sweep", "sweep.toml", "--out", "all", "--quiet", timeout=120).returncode == 0
-    result = lab("analyse", "all", "--force-range", "--quiet", timeout=60)
+    assert lab("sweep", "sweep.toml", "--out", "all", "--quiet").returncode == 0
+    result = lab("analyse", "all", "--force-range", "--quiet")
     assert result.returncode == 0, result.stderr
     members = [summary(path.parent)["force_range"] for path in (lab.path / "all").rglob("seed-*/summary.json")]
     assert len(members) == 2

@@ -9,7 +9,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from conftest import HEAP, PROGRAM, repose
+from conftest import HEAP, LIMIT, PROGRAM, repose
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 
@@ -93,7 +93,7 @@ def test_all_examples_run_one_after_the_other(lab):
         if words[1] == "plot" and "--only" not in words:  # one picture stands for all
             command += " --only " + ("theory" if "--theory" in words else "angle" if words[2] == "spacing" else "heap")
         shell = f'repose() {{ {shlex.quote(PROGRAM)} "$@"; }}\n{command}'
-        result = subprocess.run(["bash", "-c", shell], cwd=lab.path, capture_output=True, text=True, timeout=120)
+        result = subprocess.run(["bash", "-c", shell], cwd=lab.path, capture_output=True, text=True, timeout=LIMIT)
         assert result.returncode == 0, f"{command}: {result.stderr}"
     written = ["my-heap.toml", "heap/pictures/heap.png", "heap/pictures/theory.png", "heap/pictures/chains.png", "theory.png",
                "rough/run.h5", "spacing/table.csv", "spacing/pictures/angle.png", "heap/export/vtk/grains.pvd",
@@ -119,7 +119,7 @@ def test_manual_page_has_every_verb_option_and_example():
 @pytest.mark.skipif(not shutil.which("groff"), reason="no groff here")
 def test_manual_page_is_good_troff():
     page = printed("--man")
-    result = subprocess.run(["groff", "-man", "-ww", "-Tascii"], input=page, capture_output=True, text=True, timeout=60)
+    result = subprocess.run(["groff", "-man", "-ww", "-Tascii"], input=page, capture_output=True, text=True, timeout=LIMIT)
     assert result.returncode == 0 and result.stderr == "" and "REPOSE(1)" in result.stdout
 
 
@@ -129,7 +129,7 @@ def completions(*words, cwd=None):
     script = printed("--completion", "bash") + (
         f"COMP_WORDS=({shlex.join(line)}); COMP_CWORD={len(line) - 1}\n_repose\nprintf '%s\\n' \"${{COMPREPLY[@]}}\"\n"
     )
-    result = subprocess.run(["bash", "-u", "-c", script], cwd=cwd, capture_output=True, text=True, timeout=30)
+    result = subprocess.run(["bash", "-u", "-c", script], cwd=cwd, capture_output=True, text=True, timeout=LIMIT)
     assert result.returncode == 0 and result.stderr == "", result.stderr
     return set(result.stdout.split("\n")) - {""}
 

@@ -86,7 +86,7 @@ def test_tolerances_are_finite_numbers(lab, number):
 
 def test_more_threads_than_cores_or_grains_are_of_no_use(lab):
     lab.scene(HEAP.replace("count = 40", "count = 10"))
-    result = lab("run", "scene.toml", "--threads", "1024", "--out", "out", "--quiet", timeout=60)
+    result = lab("run", "scene.toml", "--threads", "1024", "--out", "out", "--quiet")
     assert result.returncode == 0 and summary(lab.path / "out")["threads"] <= os.cpu_count()
 
 
@@ -135,7 +135,7 @@ def test_lengths_of_the_analysis_have_bounds(lab, key, value):
 
 @pytest.mark.parametrize("key, end", [(key, end) for key, ends in LENGTHS.items() for end in ends])
 def test_the_analysis_within_its_bounds_ends(lab, key, end):
-    lab.run(SMALL + f"[analysis]\n{key} = {end}\n", timeout=60)
+    lab.run(SMALL + f"[analysis]\n{key} = {end}\n")
 
 
 @pytest.mark.parametrize("setting", ["direction_bins=2000000000", "contact_gap=1000"])
@@ -155,5 +155,5 @@ def test_memory_is_foreseen(lab):
 
 def test_a_run_stops_at_rest_whatever_the_rows_of_its_series(lab):
     text = SMALL.replace("time = 500\n", "") + "[output]\nseries = 1e12\n"
-    found = summary(lab.run(text, timeout=60))
+    found = summary(lab.run(text))
     assert found["status"] == "finished" and found["time"] < 100

@@ -11,7 +11,7 @@ import time
 
 import numpy as np
 import pytest
-from conftest import HEAP, PROGRAM, assert_plain, changed, everything_in
+from conftest import HEAP, LIMIT, PROGRAM, assert_plain, changed, everything_in
 
 SMALL = HEAP.replace("count = 40", "count = 3")
 LONG = HEAP.replace("at_rest = 1e-6\n", "").replace("time = 500", "time = 1e6")
@@ -28,7 +28,7 @@ def fifo(path):
 @pytest.mark.parametrize("verb", ["check", "run", "sweep", "solve"])
 def test_only_regular_files_are_read(lab, verb, path):
     os.mkfifo(lab.path / "pipe")
-    result = lab(verb, path, timeout=10)
+    result = lab(verb, path)
     assert result.returncode == 2 and "is no regular file" in result.stderr, result.stderr
 
 
@@ -40,7 +40,7 @@ def test_a_pipe_in_a_run_folder_blocks_nothing(lab, heap, name):
                   ["export", "--to", "vtk"]):
         if name in ("summary.json", "analysis.h5") and words[0] in ("analyse", "resume"):
             continue  # written again
-        result = lab(words[0], "out", *words[1:], timeout=30)
+        result = lab(words[0], "out", *words[1:])
         assert result.returncode in (0, 1, 2)
         assert_plain(result.stderr)
         if name == "run.h5":
@@ -78,8 +78,8 @@ def running(lab, *words):
     return subprocess.Popen([PROGRAM, *words], cwd=lab.path, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
 
 
-def wait_for(condition, seconds=60):
-    end = time.monotonic() + seconds
+def wait_for(condition):
+    end = time.monotonic() + LIMIT
     while not condition():
         assert time.monotonic() < end, "too late"
         time.sleep(0.02)
@@ -95,7 +95,7 @@ def test_a_run_whose_folder_goes_stops_and_says_so(lab, change):
         shutil.rmtree(lab.path / "moved")
     if change == "replaced":
         (lab.path / "out").mkdir()
-    _, said = process.communicate(timeout=60)
+    _, said = process.communicate(timeout=LIMIT)
     assert process.returncode == 1
     assert said == "out: this folder was moved or deleted while the program wrote into it\n" or "cannot write" in said
     assert not (lab.path / "out").exists() or not everything_in(lab.path / "out")
@@ -124,7 +124,7 @@ def test_a_sweep_whose_folder_goes_stops_and_says_so(lab):
     process = running(lab, "sweep", "sweep.toml", "--out", "out", "--quiet")
     wait_for(lambda: list((lab.path / "out").glob("members/*/*/summary.json")))
     (lab.path / "out").rename(lab.path / "moved")
-    _, said = process.communicate(timeout=60)
+    _, said = process.communicate(timeout=LIMIT)
     assert process.returncode == 1 and "was moved or deleted" in said, said
     assert not (lab.path / "out/sweep.toml").exists()
 
@@ -159,7 +159,7 @@ def test_wrong_sweeps_are_found_before_anything_runs(lab, name):
     text, part = WRONG_SWEEPS[name]
     lab.scene(SMALL)
     lab.scene(text, "sweep.toml")
-    assert_plain(lab.refused("sweep", "sweep.toml", "--out", "out", parts=["sweep.toml", part], timeout=30))
+    assert_plain(lab.refused("sweep", "sweep.toml", "--out", "out", parts=["sweep.toml", part]))
 
 
 @pytest.mark.parametrize("harm", ["missing", "damaged", "a pipe"])
@@ -175,7 +175,7 @@ def test_a_member_without_its_run_is_run_again(lab, harm):
         path.write_bytes(content[:-1])
     if harm == "a pipe":
         os.mkfifo(path)
-    assert lab("sweep", "sweep.toml", "--out", "out", "--quiet", timeout=60).returncode == 0
+    assert lab("sweep", "sweep.toml", "--out", "out", "--quiet").returncode == 0
     assert path.read_bytes()[:19] == b"repose sealed file\n"
     assert (lab.path / "out/table.csv").read_bytes() == table
 
@@ -215,7 +215,7 @@ def test_an_array_that_is_larger_than_its_file_is_refused(lab, heap):
         del file["contacts/normal"]
         file.create_dataset("contacts/normal", shape=(2_000_000_000, 2), dtype="f8", chunks=(1024, 2))
     for words in (["analyse"], ["export", "--to", "vtk"], ["export", "--to", "csv"], ["plot"]):
-        result = lab(words[0], "out", *words[1:], timeout=30, before="ulimit -v 4000000")
+        result = lab(words[0], "out", *words[1:], before="ulimit -v 4000000")
         assert result.returncode == 2 and "is larger than its content" in result.stderr, (words, result.stderr)
 
 
@@ -258,6 +258,6 @@ def test_forged_grains_are_refused(lab, heap, forge):
     with changed(lab.path / "out/run.h5") as file:
         forge(file)
     for words in (["analyse"], ["export", "--to", "vtk"], ["export", "--to", "contact-problem"]):
-        result = lab(words[0], "out", *words[1:], timeout=30)
+        result = lab(words[0], "out", *words[1:])
         assert result.returncode == 2 and result.stderr.startswith("out/run.h5: "), (words, result.stderr)
         assert_plain(result.stderr)

@@ -7,7 +7,7 @@ import re
 from pathlib import Path
 
 import pytest
-from conftest import Grains, datasets, number_in
+from conftest import LIMIT, Grains, datasets, number_in
 from interruption import assert_same_run, resumed, started, wait_until
 
 EXAMPLE = Path(__file__).parents[2] / "examples/adhesion.toml"
@@ -74,7 +74,7 @@ def test_a_resumed_run_has_the_same_bits(lab):
     process = started(lab, out)
     wait_until(out, 20.0)
     process.kill()
-    process.communicate(timeout=30)
+    process.communicate(timeout=LIMIT)
     resumed(lab, out, "--threads", "2")
     assert_same_run(whole, out)
 

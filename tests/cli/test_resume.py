@@ -13,7 +13,7 @@ import time
 import h5py
 import pytest
 import xxhash
-from conftest import PROGRAM, changed, summary, text_attribute
+from conftest import LIMIT, PROGRAM, changed, summary, text_attribute
 from interruption import KILLS, OTHER, PERIODIC, SCENE, assert_same_run, comparable, resumed, started, wait_for_checkpoint, wait_until
 
 @pytest.fixture(scope="module", params=["open", "periodic"])
@@ -44,7 +44,7 @@ def test_resuming_gives_the_same_bits(undisturbed, how):
     process = started(lab, out)
     wait_until(out, 70.0)
     process.send_signal(how)
-    process.communicate(timeout=30)
+    process.communicate(timeout=LIMIT)
     assert process.returncode == (-9 if how == signal.SIGKILL else 130)
     if how != signal.SIGKILL:
         assert text_attribute(out / "run.h5", "status") == "interrupted"
@@ -60,7 +60,7 @@ def test_other_laws_and_sources_resume(lab):
     process = started(lab, out)
     wait_until(out, 50.0)
     process.kill()
-    process.communicate(timeout=30)
+    process.communicate(timeout=LIMIT)
     resumed(lab, out, "--threads", "3")
     assert_same_run(whole, out)
 
@@ -72,11 +72,11 @@ def test_interrupted_again_and_again(undisturbed):
     for _ in range(6):
         time.sleep(0.15 * lab.seconds + 0.1)
         process.send_signal(signal.SIGINT)
-        process.communicate(timeout=30)
+        process.communicate(timeout=LIMIT)
         if process.returncode == 0:
             break
         process = subprocess.Popen([PROGRAM, "resume", str(out), "--quiet"], stderr=subprocess.PIPE, text=True)
-    assert process.wait(timeout=60) in (0, 130)
+    assert process.wait(timeout=LIMIT) in (0, 130)
     resumed(lab, out)
     assert_same_run(lab.path / "whole", out)
 

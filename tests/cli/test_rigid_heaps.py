@@ -23,7 +23,7 @@ def heaps(tmp_path_factory):
     def heap(height, seed):
         out = folder / f"{height}-{seed}"
         result = repose("run", SCENE, "--out", out, "--quiet", "--seed", seed, "--set", "source.count=100", "--set",
-                        f"source.height={height}", "--set", "output.window=1.0", "--set", "output.frames=0", timeout=600)
+                        f"source.height={height}", "--set", "output.window=1.0", "--set", "output.frames=0")
         assert result.returncode == 0, result.stderr
         return summary(out)
 

@@ -34,7 +34,7 @@ time = 400
 
 
 def solid_fraction(scene, out, *more):
-    result = repose("run", scene, "--out", out, "--quiet", *more, timeout=600)
+    result = repose("run", scene, "--out", out, "--quiet", *more)
     assert result.returncode == 0, result.stderr
     return summary(out)["packing"]["solid_fraction"]["mean"]
 

@@ -7,14 +7,14 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from conftest import PROGRAM
+from conftest import LIMIT, PROGRAM
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 SELF_CONTAINED = sorted(path.stem for path in EXAMPLES.glob("*.toml") if not path.stem.startswith("from-"))
 
 
 def said(*arguments):
-    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, check=True, timeout=60).stdout
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, check=True, timeout=LIMIT).stdout
 
 
 def test_list_of_kinds_is_that_of_the_examples():

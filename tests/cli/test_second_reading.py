@@ -29,7 +29,7 @@ time = 600
 def reading(tmp_path_factory):
     from conftest import Laboratory
 
-    out = Laboratory(tmp_path_factory.mktemp("reading")).run(SCENE, timeout=60)
+    out = Laboratory(tmp_path_factory.mktemp("reading")).run(SCENE)
     raw = {name.lstrip("/"): x for name, x in datasets(out / "run.h5").items() if not name.startswith("/analysis/")}
     with h5py.File(out / "run.h5") as file:
         raw["weight"] = float(file.attrs["grain_weight"])

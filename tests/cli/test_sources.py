@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import HEAP, PROGRAM, Grains, assert_same_bits, changed, datasets, summary
+from conftest import HEAP, LIMIT, PROGRAM, Grains, assert_same_bits, changed, datasets, summary
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 HOOKE = (
@@ -20,7 +20,7 @@ HOOKE = (
 
 
 def example(lab, name, *options, out="out"):
-    result = lab("run", EXAMPLES / f"{name}.toml", "--out", out, "--quiet", *options, timeout=120)
+    result = lab("run", EXAMPLES / f"{name}.toml", "--out", out, "--quiet", *options)
     assert result.returncode == 0, result.stderr
     return lab.path / out
 
@@ -61,7 +61,7 @@ def test_opening_above_the_apex_is_never_buried(lab):
     assert (grains.fixed == 0).sum() == 150
     assert grains.position[:, 1].max() > 5.0
     result = lab("run", EXAMPLES / "pour-above-apex.toml", "--out", "low", "--quiet", *cuts, "--set",
-                 "source.height_above=base", "--set", "stop.time=400", timeout=120)
+                 "source.height_above=base", "--set", "stop.time=400")
     assert result.returncode == 1
     assert "the source is buried: grain" in result.stderr and "finds no room at height 3" in result.stderr
 
@@ -121,9 +121,9 @@ def test_rain_resumes_after_a_stop(lab):
             break
         time.sleep(0.01)
     process.send_signal(signal.SIGINT)
-    assert process.wait(timeout=30) == 130
+    assert process.wait(timeout=LIMIT) == 130
     assert Grains(lab.path / "cut/run.h5").time < 30.0
-    assert lab("resume", "cut", "--quiet", timeout=60).returncode == 0
+    assert lab("resume", "cut", "--quiet").returncode == 0
     assert summary(lab.path / "cut")["state_hash"] == summary(whole)["state_hash"]
 
 

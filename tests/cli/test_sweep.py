@@ -47,7 +47,7 @@ def contents(folder):
 
 
 def run_sweep(lab, *options, out="out", expect=0):
-    result = lab("sweep", "sweep.toml", "--out", out, *options, timeout=120)
+    result = lab("sweep", "sweep.toml", "--out", out, *options)
     assert result.returncode == expect, result.stderr + result.stdout
     return result
 

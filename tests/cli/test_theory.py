@@ -127,7 +127,7 @@ def test_a_file_for_the_table(tmp_path):
 
 def test_every_model_has_a_picture(tmp_path, settings):
     for model in listed():
-        out = repose("theory", model, *settings(model), "--plot", tmp_path / f"{model}.png", timeout=60)
+        out = repose("theory", model, *settings(model), "--plot", tmp_path / f"{model}.png")
         assert out.returncode == 0 and out.stdout == "", (model, out.stderr)
         assert (tmp_path / f"{model}.png").read_bytes().startswith(b"\x89PNG")
 

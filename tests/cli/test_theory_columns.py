@@ -196,6 +196,6 @@ def test_pictures_of_limiting_cases(tmp_path):
     for number, (model, settings) in enumerate(corners):
         file = tmp_path / f"{number}.png"
         words = [word for setting in settings for word in ("--set", setting)]
-        out = repose("theory", model, *words, "--plot", file, timeout=60)
+        out = repose("theory", model, *words, "--plot", file)
         assert out.returncode == 0 and out.stdout == out.stderr == "", (model, settings, out.stderr)
         assert file.read_bytes().startswith(b"\x89PNG")

@@ -73,7 +73,7 @@ def lattice(tmp_path_factory):
     folder = tmp_path_factory.mktemp("lattice")
     (folder / "lattice.toml").write_text(LATTICE)
     (folder / "sweep.toml").write_text(SWEEP)
-    result = repose("sweep", "sweep.toml", "--out", "out", "--quiet", cwd=folder, timeout=240)
+    result = repose("sweep", "sweep.toml", "--out", "out", "--quiet", cwd=folder)
     assert result.returncode == 0, result.stderr
     return folder / "out"
 
@@ -145,7 +145,7 @@ def test_the_response_beside_theory(lattice):
     osl = np.array([float(row["osl"]) for row in rows])
     response = np.array([float(row["response"]) for row in rows])
     assert np.abs(osl - response).max() < 0.03 * osl.max()
-    picture = repose("plot", lattice, "--only", "response", "--format", "png", timeout=120)
+    picture = repose("plot", lattice, "--only", "response", "--format", "png")
     assert picture.returncode == 0 and (lattice / "pictures" / "response.png").is_file(), picture.stdout
 
 

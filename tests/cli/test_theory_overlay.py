@@ -15,7 +15,7 @@ import h5py
 import numpy as np
 import pytest
 import xxhash
-from conftest import HEAP, PROGRAM, changed, repose, summary
+from conftest import HEAP, LIMIT, PROGRAM, changed, repose, summary
 
 POURED = HEAP.replace("count = 40", "count = 150").replace("half_width = 8", "half_width = 25")
 SWEEP = """title = "friction"
@@ -33,7 +33,7 @@ def poured(tmp_path_factory):
     """A heap of 150 grains at rest, and its summary as written. Tests copy it."""
     folder = tmp_path_factory.mktemp("poured")
     (folder / "scene.toml").write_text(POURED)
-    subprocess.run([PROGRAM, "run", "scene.toml", "--out", "out", "--quiet"], cwd=folder, check=True, timeout=60)
+    subprocess.run([PROGRAM, "run", "scene.toml", "--out", "out", "--quiet"], cwd=folder, check=True, timeout=LIMIT)
     return folder / "out"
 
 
@@ -49,7 +49,7 @@ def swept(tmp_path_factory):
     folder = tmp_path_factory.mktemp("swept")
     (folder / "heap.toml").write_text(HEAP)
     (folder / "sweep.toml").write_text(SWEEP)
-    subprocess.run([PROGRAM, "sweep", "sweep.toml", "--out", "out"], cwd=folder, check=True, timeout=120, stdout=-3)
+    subprocess.run([PROGRAM, "sweep", "sweep.toml", "--out", "out"], cwd=folder, check=True, timeout=LIMIT, stdout=-3)
     return folder / "out"
 
 
@@ -331,7 +331,7 @@ def test_tables_that_are_written_again_drop_the_summary_of_a_sweep(lab, swept, a
     shutil.copytree(swept, out)
     assert lab("plot", "out", *CONTINUUM, *QUICK).returncode == 0
     table = (out / "table.csv").read_bytes()
-    assert lab(*again, timeout=60).returncode == 0
+    assert lab(*again).returncode == 0
     assert not (out / "summary.json").exists() and (out / "table.csv").read_bytes() == table
     assert "theory: not drawn: no model was compared with it" in lab("plot", "out", *QUICK).stdout
 
@@ -341,7 +341,7 @@ def test_members_with_their_own_theory_do_not_change_the_tables(lab, swept):
     shutil.copytree(swept, out)
     table = (out / "table.csv").read_bytes()
     assert lab("plot", "out/members/friction=0.2/seed-1", *CONTINUUM, *QUICK).returncode == 0
-    assert lab("sweep", "out/sweep.toml", timeout=60).returncode == 0
+    assert lab("sweep", "out/sweep.toml").returncode == 0
     assert (out / "table.csv").read_bytes() == table
     assert "theory" in summary(out / "members/friction=0.2/seed-1")
 

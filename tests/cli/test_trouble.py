@@ -10,7 +10,7 @@ import subprocess
 import time
 
 import pytest
-from conftest import HEAP, PROGRAM, datasets, everything_in, summary, text_attribute
+from conftest import HEAP, LIMIT, PROGRAM, datasets, everything_in, summary, text_attribute
 
 LONG = HEAP.replace("at_rest = 1e-6\ntime = 500", "time = 1e7") + "[output]\nframes = 20\n"
 
@@ -74,12 +74,12 @@ def test_interrupt(lab, which):
     process = subprocess.Popen([PROGRAM, "run", "scene.toml", "--out", "out", "--quiet"], cwd=lab.path,
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     try:
-        give_up = time.monotonic() + 20
+        give_up = time.monotonic() + LIMIT
         while not (lab.path / "out/frames/000001.h5").exists() and time.monotonic() < give_up:
             assert process.poll() is None, process.stderr.read()
             time.sleep(0.02)
         process.send_signal(which)
-        said = process.communicate(timeout=20)
+        said = process.communicate(timeout=LIMIT)
     finally:
         if process.poll() is None:
             process.kill()
@@ -97,12 +97,12 @@ def test_interrupt_does_not_wait_for_the_next_observation(lab):
     process = subprocess.Popen([PROGRAM, "run", "scene.toml", "--out", "out", "--quiet", "--set", "output.series=1e7"],
                                cwd=lab.path, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     try:
-        give_up = time.monotonic() + 20
+        give_up = time.monotonic() + LIMIT
         while not (lab.path / "out/summary.json").exists() and time.monotonic() < give_up:
             time.sleep(0.02)
         time.sleep(0.2)
         process.send_signal(signal.SIGINT)
-        assert process.wait(timeout=3) == 130
+        assert process.wait(timeout=LIMIT) == 130
     finally:
         if process.poll() is None:
             process.kill()
@@ -117,7 +117,7 @@ def test_killed_at_any_time_leaves_a_readable_run(lab):
         out = lab.path / f"out{n}"
         process = subprocess.Popen([PROGRAM, "run", "scene.toml", "--out", out, "--quiet"], cwd=lab.path)
         try:
-            give_up = time.monotonic() + 20
+            give_up = time.monotonic() + LIMIT
             while not (out / "summary.json").exists() and time.monotonic() < give_up:
                 time.sleep(0.005)
             time.sleep(wait)
@@ -142,6 +142,6 @@ def test_full_standard_output(lab):
     lab.scene(HEAP)
     with open("/dev/full", "w") as full:
         result = subprocess.run([PROGRAM, "run", "scene.toml", "--out", "out"], cwd=lab.path, stdout=full,
-                                stderr=subprocess.PIPE, text=True, timeout=30)
+                                stderr=subprocess.PIPE, text=True, timeout=LIMIT)
     assert "terminate" not in result.stderr and result.returncode in (0, 1)
     assert text_attribute(lab.path / "out/run.h5", "status") == "finished"

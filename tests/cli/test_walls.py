@@ -165,7 +165,7 @@ def test_a_piston_too_light_for_its_bed_is_refused(lab):
 def test_the_lightest_piston_is_stable(lab):
     lab.scene(LIGHT)
     least = number_in(lab.refused("check", "scene.toml"), "at least")
-    out = lab.run(LIGHT.replace("mass = 0.08", f"mass = {1.01 * least}"), timeout=120)
+    out = lab.run(LIGHT.replace("mass = 0.08", f"mass = {1.01 * least}"))
     found = datasets(out / "run.h5")
     displacement = found["/series/wall_displacement"][:, 3]
     assert displacement[-1] == pytest.approx(50.17, abs=0.1)
@@ -240,7 +240,7 @@ half_width = 5
 [stop]
 time = 40
 """
-    out = lab.run(text + wall("shelf", (-3, 4), (3, 4)), timeout=60)
+    out = lab.run(text + wall("shelf", (-3, 4), (3, 4)))
     height = Grains(out / "run.h5").position[:, 1]
     assert (height > 0.49).all()
     assert ((height < 3.51) | (height > 4.49)).all() and (height > 4.0).any()

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What makes the results of a run doubtful is reported once, and kept in summary.json. Units: diameter, mass, gravity."""
 
-from conftest import summary
+import h5py
+from conftest import datasets, summary
 from wall_scenes import grain, wall
 
 FLOOR = "[base]\nkind = 'plane'\n"
@@ -38,6 +39,29 @@ def test_grains_behind_a_wall_are_named(lab):
     warnings = said(lab, pressed)
     assert any('1 grain is behind wall "door", as grain 0' in warning for warning in warnings)
     assert any("overlaps reach 0.6" in warning for warning in warnings)
+
+
+# Two grains as fast as the spring of a shelf cannot hold: m v^2 / 2 = 8 against k / 8 at most. One passes by its end.
+def test_grains_that_go_through_a_wall_of_finite_length(lab):
+    scene = "gravity = 0.0\n[method]\ntime_step = 0.002\n" + HOOKE % "10.0" + wall("shelf", (-2, 0), (2, 0)) + (
+        grain(0, 3, 0, -4) + grain(1.2, 3.5, 0, -4) + grain(4, 3, 0, -4)) + "[stop]\ntime = 2\n"
+    warnings = said(lab, scene)
+    assert sum('went through wall "shelf" 2 times: first grain 0, by time 0.7' in warning for warning in warnings) == 1
+    with h5py.File(lab.path / "out/run.h5") as file:
+        assert [file[f"walls/{name}"][0] for name in ("crossed", "first_crossed")] == [2, 0]
+    # They do so in any division of the run.
+    lab.run(scene, "--set", "output.series=0.05", "--threads", "2", out="pieces")
+    assert summary(lab.path / "pieces")["warnings"] == warnings
+
+
+# A rigid grain that a step carries past a gate before they are listed as touching is noticed too.
+def test_a_rigid_grain_that_goes_through_a_wall(lab):
+    scene = "gravity = 0.0\n[method]\nkind = 'contact-dynamics'\ntime_step = 0.5\n" + wall("gate", (0, -2), (0, 2)) + (
+        grain(-2, 0, 9.0, 0)) + "[stop]\ntime = 2\n"
+    result = lab("run", lab.scene(scene), "--out", "out")
+    assert result.returncode == 0, result.stderr
+    x = datasets(lab.path / "out/run.h5")["/grains/position"][0, 0]
+    assert any("went through" in warning for warning in summary(lab.path / "out")["warnings"]) == (x > 0)
 
 
 def test_a_run_that_loses_everything(lab):

@@ -19,7 +19,7 @@ def folder(tmp_path_factory):
     checked = repose("check", EXAMPLE, cwd=folder)
     assert checked.returncode == 0, checked.stderr
     assert "nan" not in checked.stdout and "inf" not in checked.stdout
-    done = repose("run", EXAMPLE, "--out", "run", cwd=folder, timeout=300)
+    done = repose("run", EXAMPLE, "--out", "run", cwd=folder)
     assert done.returncode == 0, done.stderr
     assert "nan" not in done.stdout
     return folder / "run"
@@ -75,7 +75,7 @@ def test_analyse_changes_the_scale(folder, summary, tmp_path):
 
 @pytest.mark.skipif(not os.access("/usr/bin/python3", os.X_OK), reason="no Python")
 def test_pictures(folder):
-    done = repose("plot", folder, "--only", "forces,chains,stress,walls,force_distribution,energy", "--format", "png", timeout=300)
+    done = repose("plot", folder, "--only", "forces,chains,stress,walls,force_distribution,energy", "--format", "png")
     assert done.returncode == 0, done.stderr
     assert done.stdout.count(".png") == 6, done.stdout
 

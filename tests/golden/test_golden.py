@@ -43,7 +43,7 @@ def hash_of(scene, folder, threads, environment=None):
     result = subprocess.run(
         [str(word) for word in command],
         env={**os.environ, **(environment or {})},
-        timeout=300,
+        timeout=600,
         capture_output=True,
         text=True,
         errors="replace",

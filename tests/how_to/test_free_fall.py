@@ -12,7 +12,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
-from conftest import PROGRAM, Laboratory, assert_same_bits, summary
+from conftest import LIMIT, PROGRAM, Laboratory, assert_same_bits, summary
 
 SCENE = """method = { kind = "free-fall" }
 base = { kind = "none" }
@@ -45,14 +45,14 @@ def test_check_knows_its_name_and_its_limits(lab):
 
 
 def test_run_kill_resume_analyse_and_export(lab):
-    whole = lab.run(SCENE, out="whole", timeout=120)
+    whole = lab.run(SCENE, out="whole")
     process = subprocess.Popen([PROGRAM, "run", "scene.toml", "--out", "cut", "--quiet"], cwd=lab.path)
-    end = time.monotonic() + 60
+    end = time.monotonic() + LIMIT
     while not (lab.path / "cut/checkpoints/0.h5").exists() and time.monotonic() < end:
         time.sleep(0.002)
     process.send_signal(signal.SIGKILL)
     assert process.wait() == -signal.SIGKILL, "the run was over before it was killed"
-    result = lab("resume", "cut", "--quiet", timeout=120)
+    result = lab("resume", "cut", "--quiet")
     assert result.returncode == 0, result.stderr
     assert_same_bits(whole / "run.h5", lab.path / "cut/run.h5")
     assert summary(lab.path / "cut")["state_hash"] == summary(whole)["state_hash"]
@@ -80,7 +80,7 @@ def test_run_kill_resume_analyse_and_export(lab):
 def test_sweep(lab):
     lab.scene(SCENE.replace("time = 2000", "time = 40").replace("count = 100", "count = 20"), "fall.toml")
     lab.scene('scene = "fall.toml"\nseeds = 2\n[vary]\nsource.height = [2.0, 8.0]\n', "sweep.toml")
-    result = lab("sweep", "sweep.toml", "--out", "swept", timeout=60)
+    result = lab("sweep", "sweep.toml", "--out", "swept")
     assert result.returncode == 0, result.stderr
     rows = list(csv.DictReader((lab.path / "swept/table.csv").open()))
     assert [row["source.height"] for row in rows] == ["2.0", "8.0"]

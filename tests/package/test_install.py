@@ -34,7 +34,7 @@ PYTHON = "lib/python3/dist-packages"
 def done(*words, cwd=None, **environment):
     """Standard output of a command that must end well."""
     result = subprocess.run([str(word) for word in words], cwd=cwd, env={**CLEAN, **environment}, capture_output=True,
-                            text=True, timeout=300)
+                            text=True, timeout=600)
     assert result.returncode == 0, f"{words}: {result.stderr}{result.stdout}"
     return result.stdout
 
@@ -103,7 +103,7 @@ def test_a_link_to_the_program_works(program, prefix, tmp_path):
 
 def test_a_program_without_its_package_says_so(program, tmp_path):
     shutil.copy(program, tmp_path / "repose")
-    result = subprocess.run([tmp_path / "repose", "plot", "heap"], env=CLEAN, capture_output=True, text=True, timeout=30)
+    result = subprocess.run([tmp_path / "repose", "plot", "heap"], env=CLEAN, capture_output=True, text=True, timeout=600)
     assert result.returncode == 1 and "the Python package is neither in" in result.stderr
 
 

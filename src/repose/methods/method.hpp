@@ -10,6 +10,7 @@
 #include "repose/core/solver_account.hpp"
 #include "repose/core/team.hpp"
 #include "repose/methods/time_steps.hpp"
+#include "repose/methods/wall_crossings.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -79,6 +80,11 @@ class Method {
   virtual const std::vector<WallState>& walls() const {
     static const std::vector<WallState> none;
     return none;
+  }
+
+  /// The grains that have gone through each wall of finite length.
+  virtual std::vector<Crossings> wall_crossings(const Grains<D>& /*grains*/) const {
+    return std::vector<Crossings>(walls().size());
   }
 
   /// Impulse of the grains on each wall [M L/T] since the last call, which this call resets.

@@ -78,6 +78,11 @@ const Group<std::vector<RecordedWall>>& wall_group() {
     return column<RecordedWall>(
         name, [=](auto& row) -> auto& { return row.wall.*member; }, unit, meaning);
   };
+  const auto of_crossed = [](const std::string& name, auto member, const std::string& unit,
+                             const std::string& meaning) {
+    return column<RecordedWall>(
+        name, [=](auto& row) -> auto& { return row.crossed.*member; }, unit, meaning);
+  };
   static const Group<std::vector<RecordedWall>> group{
       "walls",
       "W",
@@ -97,6 +102,9 @@ const Group<std::vector<RecordedWall>>& wall_group() {
           of_wall("opens_at", &Wall<2>::opens_at, "T", "from then on grains pass through it; infinite: never"),
           of_wall("position", &Wall<2>::point, "L", "where `point` is at the time of the state"),
           column("open", &RecordedWall::open, "", "1: the wall has opened"),
+          of_crossed("crossed", &Crossings::count, "", "grains that have gone through a wall of finite length"),
+          of_crossed("first_crossed", &Crossings::first, "", "id of the first of them; -1: none"),
+          of_crossed("crossed_at", &Crossings::time, "T", "by which that was noticed"),
       }};
   return group;
 }

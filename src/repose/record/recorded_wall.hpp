@@ -5,6 +5,7 @@
 #include "repose/analysis/flat_wall.hpp"
 #include "repose/analysis/wall_span.hpp"
 #include "repose/boundaries/wall.hpp"
+#include "repose/methods/wall_crossings.hpp"
 #include "repose/scene/scene.hpp"
 
 #include <string>
@@ -20,6 +21,7 @@ struct RecordedWall {
   Wall<2> wall;          ///< with its point and normal as they are at that time
   bool open = false;     ///< grains pass through it
   bool rotates = false;  ///< about the centre of its motion
+  Crossings crossed;     ///< the grains that have gone through it, of a wall of finite length
 };
 
 /// Those that stand, as they bound cells and fields.

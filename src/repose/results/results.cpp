@@ -65,8 +65,9 @@ PackingWalls walls_around(const Record& record, const Extent& grains) {
   const auto nearest = [](std::optional<double>& side, double place, double towards) {
     if (!side || (place - *side) * towards > 0.0) side = place;
   };
-  for (const auto& [name, start, wall, open, rotates] : record.walls) {
-    if (open || wall.smooth) continue;
+  for (const auto& standing : record.walls) {
+    const auto& wall = standing.wall;
+    if (standing.open || wall.smooth) continue;
     const auto spans = [&](int axis) {
       return wall.point[axis] - wall.half_length <= grains.low[axis] &&
              wall.point[axis] + wall.half_length >= grains.high[axis];

@@ -74,6 +74,16 @@ void add_behind_walls(const Record& record, Lines& lines) {
   }
 }
 
+void add_crossings(const Record& record, Lines& lines) {
+  for (const auto& standing : record.walls) {
+    const auto& crossed = standing.crossed;
+    if (crossed.count == 0) continue;
+    lines.push_back(fmt::format("grains went through wall \"{}\" {}: first grain {}, by time {:.6g}", standing.name,
+                                crossed.count == 1 ? "once" : fmt::format("{} times", crossed.count), crossed.first,
+                                crossed.time));
+  }
+}
+
 void add_losses(const Record& record, Lines& lines) {
   if (record.facts.lost == 0 || moving_count(*record.grains) > 0) return;
   lines.push_back(
@@ -88,6 +98,7 @@ std::vector<std::string> warnings_of(const Record& record) {
   add_budget(record, lines);
   add_solver(record, lines);
   add_behind_walls(record, lines);
+  add_crossings(record, lines);
   add_losses(record, lines);
   return lines;
 }

@@ -299,6 +299,8 @@ Record Simulation::record() const {
   facts.lost = lost() + left;
   facts.support_force = base_forces_.force_on_supports(record.contacts);
   record.walls = recorded_walls(scene_, method_->walls(), time());
+  const auto crossed = method_->wall_crossings(grains_);
+  for (std::size_t w = 0; w < crossed.size(); ++w) record.walls[w].crossed = crossed[w];
   facts.state_hash = state_hash(*record.grains, record.contacts);
   facts.scene_hash = hash_of(scene_text(scene_));
   record.series = series_.rows();

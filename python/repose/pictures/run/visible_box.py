@@ -13,6 +13,7 @@ WIDEST_GAP = 10.0  # in x; a grain beyond a wider gap has left the heap
 SIDE_MARGIN = 3.0
 MARGIN = 1.0
 LEAST_HEIGHT = 5.0
+WIDEST_STEP = 2.0  # in y; grains in flight above a wider gap do not belong to the bed
 
 WIDEST_SHAPE = 12.0  # width over height, at most
 
@@ -63,8 +64,8 @@ def wrapped(run, positions):
 
 
 def visible_box(run, state):
-    """Box around the heap and the base below it, or that of the axes of the state; grains in flight do not count while any
-    are supported."""
+    """Box around the heap and the base below it, or that of the axes of the state. While any grains are supported, those
+    in flight count only where they continue the bed upwards."""
     if state.axes and state.axes.box:
         return state.axes.box
     grains = state.grains
@@ -86,9 +87,21 @@ def visible_box(run, state):
     below = grains.held & (centre[:, 0] >= x_min) & (centre[:, 0] <= x_max)
     below[shown] = True
     y_min = (centre[below, 1] - radius[below]).min() - MARGIN * diameter
-    y_max = (centre[shown, 1] + radius[shown]).max() + MARGIN * diameter
+    bed = ~grains.held & finite & (centre[:, 0] >= x_min) & (centre[:, 0] <= x_max)
+    bed &= centre[:, 1] <= _top_of_bed(centre[shown, 1].max(), centre[bed, 1], WIDEST_STEP * diameter)
+    bed[shown] = True
+    y_max = (centre[bed, 1] + radius[bed]).max() + MARGIN * diameter
     y_max = max(y_max, y_min + LEAST_HEIGHT * diameter, y_min + (x_max - x_min) / WIDEST_SHAPE)
     return Box(x_min, x_max, y_min, y_max)
+
+
+def _top_of_bed(top, heights, gap):
+    """The height that is reached from `top` by steps of at most `gap` to the next of `heights`."""
+    for height in np.sort(heights[heights > top]):
+        if height > top + gap:
+            break
+        top = height
+    return top
 
 
 def _largest_group(rows, x, gap):

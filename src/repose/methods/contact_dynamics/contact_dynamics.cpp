@@ -41,6 +41,7 @@ ContactDynamics<D>::ContactDynamics(ImpulseLaws laws, ContactDynamicsSettings<D>
       solver_(settings_.solver),
       impacts_(settings_.solver),
       walls_(settings_.walls.size()),
+      crossings_(settings_.walls.size()),
       wall_impulses_(settings_.walls.size()) {
   REPOSE_ASSERT(settings_.time_step > 0.0);
   for (const auto& wall : settings_.walls) problem_.wall_direction.push_back(wall.motion.direction);
@@ -106,6 +107,7 @@ void ContactDynamics<D>::build_pairs(Grains<D>& grains, Team& team) {
   const auto order = pairs_.build(grains, settings_.box, team);
   contact_dynamics::renumber(order, known_, problem_.contacts);
   known_ = grains.size();
+  crossings_.look(grains, settings_.walls, walls_now(), settings_.box, time());
   walls_at_build_ = walls_;
 }
 
@@ -396,6 +398,7 @@ void ContactDynamics<D>::exchange(Archive& archive) {
   archive.value("solver/account", account_);
   archive.value("solver/last", solution_);
   pairs_.exchange(archive);
+  crossings_.exchange(archive);
   for (const auto& c : problem_.contacts) {
     archive.check("contacts", c.first < known_ && c.second < known_ + walls_.size() && c.first < c.second);
   }

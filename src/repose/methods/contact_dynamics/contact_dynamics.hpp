@@ -32,6 +32,9 @@ class ContactDynamics final : public Method<D> {
   /// Contacts start from the impulses that go with these forces.
   void set_slip_displacements(const Grains<D>& grains, const Contacts<D>& contacts) override;
   const std::vector<WallState>& walls() const override { return walls_; }
+  std::vector<Crossings> wall_crossings(const Grains<D>& grains) const override {
+    return crossings_.until(grains, settings_.walls, walls_now(), settings_.box, time());
+  }
   std::vector<Vec<D>> take_wall_impulses() override;
   SolverAccount take_solver_account() override { return std::exchange(account_, {}); }
   void exchange(Archive& archive) override;
@@ -76,6 +79,7 @@ class ContactDynamics final : public Method<D> {
   double turned_ = 0.0;   // [L] the largest displacement of the last step beyond velocity times step
   std::vector<WallState> walls_;
   std::vector<WallState> walls_at_build_;
+  WallCrossings<D> crossings_;
   std::vector<Vec<D>> wall_impulses_;
   std::vector<Load<D>> loads_;
   std::vector<contact_dynamics::Body<D>> advancing_;  // velocities by which positions advance in the step

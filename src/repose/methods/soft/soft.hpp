@@ -30,7 +30,8 @@ class Soft final : public Method<D> {
         pairs_(PairReach{widest_reach(), settings_.skin, look_ahead_steps * settings_.time_step,
                          magnitude(settings_.gravity), Full, makes_bonds()}),
         walls_(settings_.walls.size()),
-        wall_list_(settings_.walls.size()) {
+        wall_list_(settings_.walls.size()),
+        crossings_(settings_.walls.size()) {
     REPOSE_ASSERT(Full || !settings_.audit);
   }
 
@@ -106,6 +107,9 @@ class Soft final : public Method<D> {
   void set_slip_displacements(const Grains<D>& grains, const Contacts<D>& contacts) override;
 
   const std::vector<WallState>& walls() const override { return walls_; }
+  std::vector<Crossings> wall_crossings(const Grains<D>& grains) const override {
+    return crossings_.until(grains, settings_.walls, walls_now(), settings_.box, time());
+  }
   std::vector<Vec<D>> take_wall_impulses() override { return wall_list_.take_impulses(walls_.size()); }
   Energy energy(const Grains<D>& grains) const override;
 
@@ -121,6 +125,7 @@ class Soft final : public Method<D> {
     archive.value("energy/known", known_);
     pairs_.exchange(archive);
     wall_list_.exchange(archive);
+    crossings_.exchange(archive);
   }
 
   void restored(const Grains<D>& grains, const Team& team) override {
@@ -179,6 +184,7 @@ class Soft final : public Method<D> {
     if (settings_.audit) work_.assign(grains.size(), {});
     const auto now = walls_now();
     wall_list_.build(grains, order, settings_.walls, now, settings_.box, pairs_, widest_reach(), settings_.skin);
+    crossings_.look(grains, settings_.walls, now, settings_.box, time());
     walls_at_build_ = walls_;
     distribute(grains, team);
     account_for_start(grains);
@@ -266,6 +272,7 @@ class Soft final : public Method<D> {
   std::vector<WallState> walls_;
   std::vector<WallState> walls_at_build_;
   WallList<D> wall_list_;
+  WallCrossings<D> crossings_;
   std::vector<Load<D>> loads_;
   std::vector<double> load_work_;             // [M L^2/T^2] work of each load
   std::vector<soft::LoadedGrain<D>> loaded_;  // loaded grains of the present list
