@@ -27,7 +27,7 @@ Crossings noticed(const std::vector<Vec<2>>& places, const Box<2>& box = {}) {
   const std::vector<WallNow<2>> now{wall_now(walls[0], {}, 0.0)};
   WallCrossings<2> crossings(1);
   for (std::size_t k = 0; k < places.size(); ++k) {
-    crossings.look(grain_at(places[k]), walls, now, box, static_cast<double>(k));
+    crossings.check(grain_at(places[k]), walls, now, box, static_cast<double>(k));
   }
   return crossings.until(grain_at(places.back()), walls, now, box, 99.0)[0];
 }
@@ -67,7 +67,7 @@ TEST(WallCrossings, AWallThatTurns) {
     WallCrossings<2> crossings(1);
     for (int k = 0; k <= 10; ++k) {
       const std::vector<WallNow<2>> now{wall_now(wall, {.displacement = 0.05 * std::numbers::pi * k}, 0.0)};
-      crossings.look(grain_at(place), {wall}, now, {}, k);
+      crossings.check(grain_at(place), {wall}, now, {}, k);
       if (k == 10) return crossings.until(grain_at(place), {wall}, now, {}, k)[0].count;
     }
     return std::int64_t{-1};

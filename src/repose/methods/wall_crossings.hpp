@@ -22,23 +22,24 @@ struct Crossings {
   double time = 0.0;        ///< [T] by which that was noticed
 };
 
-/// Notices grains that go through walls of finite length. `look` must be called before any grain can have moved round
-/// the end of a wall: the centre has then crossed the wall if the straight line between its places does, in the frame of
-/// the wall.
-/// Validated by tests/unit/wall_crossings_test.cpp, tests/cli/test_warnings.py.
+/// Notices grains that go through walls of finite length. `check` must be called before any grain can have moved round
+/// the end of a wall: the centre has then crossed the wall if the straight line between its places does, in the frame
+/// of the wall. Validated by tests/unit/wall_crossings_test.cpp, tests/cli/test_warnings.py.
 template <int D>
 class WallCrossings {
  public:
   explicit WallCrossings(std::size_t walls) : of_wall_(walls) {}
 
-  void look(const Grains<D>& grains, const std::vector<Wall<D>>& walls, const std::vector<WallNow<D>>& now,
-            const Box<D>& box, double time) {
+  void check(const Grains<D>& grains, const std::vector<Wall<D>>& walls, const std::vector<WallNow<D>>& now,
+             const Box<D>& box, double time) {
     const auto before = std::move(near_);
     near_.clear();
     for (std::uint32_t w = 0; w < walls.size(); ++w) {
       if (walls[w].finite() && now[w].present) add_near(grains, w, walls[w], now[w], box);
     }
-    const auto order = [](const Near& a, const Near& b) { return a.wall != b.wall ? a.wall < b.wall : a.grain < b.grain; };
+    const auto order = [](const Near& a, const Near& b) {
+      return a.wall != b.wall ? a.wall < b.wall : a.grain < b.grain;
+    };
     std::sort(near_.begin(), near_.end(), order);
     for (const auto& place : near_) {
       const auto old = std::lower_bound(before.begin(), before.end(), place, order);
@@ -52,7 +53,7 @@ class WallCrossings {
   std::vector<Crossings> until(const Grains<D>& grains, const std::vector<Wall<D>>& walls,
                                const std::vector<WallNow<D>>& now, const Box<D>& box, double time) const {
     auto present = *this;
-    present.look(grains, walls, now, box, time);
+    present.check(grains, walls, now, box, time);
     return present.of_wall_;
   }
 
@@ -72,7 +73,7 @@ class WallCrossings {
     Vec<D> along{};       // [L] from the wall's point, in directions that turn with the wall
   };
 
-  static constexpr double near = 6.0;  ///< radii: farther grains cannot have crossed by the next look
+  static constexpr double near = 6.0;  ///< radii: farther grains cannot have crossed by the next check
 
   void add_near(const Grains<D>& grains, std::uint32_t w, const Wall<D>& wall, const WallNow<D>& now,
                 const Box<D>& box) {
@@ -82,7 +83,8 @@ class WallCrossings {
       const Vec<D> from_point = from_wall(wall, now, grain.position, box);
       const double height = dot(from_point, now.normal);
       const Vec<D> along = from_point - now.normal * height;
-      if (std::fabs(height) > near * grain.radius || magnitude(along) > wall.half_length + near * grain.radius) continue;
+      if (std::fabs(height) > near * grain.radius || magnitude(along) > wall.half_length + near * grain.radius)
+        continue;
       near_.push_back({grains.id[i], w, height, in_frame(along, now.normal, wall.normal)});
     }
   }
@@ -103,7 +105,7 @@ class WallCrossings {
     return magnitude(from.along + (to.along - from.along) * part) <= half_length;
   }
 
-  std::vector<Near> near_;  // at the last look, ordered by wall and id
+  std::vector<Near> near_;  // at the last check, ordered by wall and id
   std::vector<Crossings> of_wall_;
 };
 

@@ -107,7 +107,7 @@ void ContactDynamics<D>::build_pairs(Grains<D>& grains, Team& team) {
   const auto order = pairs_.build(grains, settings_.box, team);
   contact_dynamics::renumber(order, known_, problem_.contacts);
   known_ = grains.size();
-  crossings_.look(grains, settings_.walls, walls_now(), settings_.box, time());
+  crossings_.check(grains, settings_.walls, walls_now(), settings_.box, time());
   walls_at_build_ = walls_;
 }
 

@@ -184,7 +184,7 @@ class Soft final : public Method<D> {
     if (settings_.audit) work_.assign(grains.size(), {});
     const auto now = walls_now();
     wall_list_.build(grains, order, settings_.walls, now, settings_.box, pairs_, widest_reach(), settings_.skin);
-    crossings_.look(grains, settings_.walls, now, settings_.box, time());
+    crossings_.check(grains, settings_.walls, now, settings_.box, time());
     walls_at_build_ = walls_;
     distribute(grains, team);
     account_for_start(grains);

@@ -105,7 +105,8 @@ void add_heap(Registry& to) {
               [](const Measured&) { return Object{}; }));
   add(measure("angle_of_repose_deg.left", "deg", "of the line through the left flank", angle_of(&HeapShape::left)));
   add(measure("angle_of_repose_deg.right", "deg", "of the line through the right flank", angle_of(&HeapShape::right)));
-  add(measure("angle_of_repose_deg.mean", "deg", "mean of left and right; null unless the surface falls below half of its height at both ends",
+  add(measure("angle_of_repose_deg.mean", "deg",
+              "mean of left and right; null unless the surface falls below half of its height at both ends",
               mean_angle));
   add(measure("angle_of_repose_deg.moments", "deg",
               "atan(<y>/<abs(x - <x>)>); null unless the surface falls below half of its height at both ends",
