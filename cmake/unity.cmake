@@ -4,14 +4,8 @@ option(REPOSE_UNITY "Compile some files of a folder together, which parses heade
 
 # Files whose helpers have the same names as those of a neighbour, and files that an example of docs/how-to replaces.
 set(compiled_alone
-  src/repose/analysis/fabric src/repose/analysis/surface src/repose/cli/command_line/man_page
-  src/repose/cli/command_line/zsh_completion src/repose/cli/scene src/repose/core/reproducible_powers
-  src/repose/io/csv_tables src/repose/io/grains_file src/repose/io/grains_table src/repose/io/lammps_dump
-  src/repose/io/mercury_data src/repose/io/xyz_file src/repose/methods/soft/general_kernel
-  src/repose/results/measures/packing_structure src/repose/results/subjects src/repose/scene/motions
-  src/repose/scene/reference src/repose/scene/toml_file src/repose/scene/toml_text src/repose/sweep/response
-  src/repose/sweep/response_theory src/repose/tables/table_reader src/repose/theory/osl src/repose/theory/pile_tent src/repose/theory/point_load
-  tests/theory/osl_test tests/theory/pile_continuum_test tests/theory/pile_lattice_test tests/theory/point_load_test
+  src/repose/core/reproducible_powers src/repose/methods/soft/general_kernel
+  src/repose/results/subjects src/repose/scene/toml_file
   tests/unit/chains_test tests/unit/contact_dynamics_walls_test tests/unit/contact_packs_test tests/unit/fabric_test
   tests/unit/motion_test tests/unit/reproducible_math_test tests/unit/simulation_test tests/unit/sources_test
   tests/unit/structure_factor_test tests/unit/voronoi_test)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/theory/incipient_failure.hpp"
 
+#include "repose/core/numbers.hpp"
+
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <gtest/gtest.h>
 
@@ -13,9 +15,8 @@
 namespace repose::theory {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
-double radians(double degrees) { return degrees * (pi / 180.0); }
 Ray ray_at(double s) { return {.from_axis = s, .from_surface = 1.0 - s}; }
 
 // sigma_zz on the axis from another method: Chebyshev collocation of the two equations in pi and u with 60 and 80

@@ -3,6 +3,7 @@
 #include "repose/theory/osl.hpp"
 
 #include "repose/core/errors.hpp"
+#include "repose/core/numbers.hpp"
 #include "repose/theory/linear_wedge.hpp"
 #include "repose/theory/models.hpp"
 #include "repose/theory/pile_continuum.hpp"
@@ -21,9 +22,7 @@
 namespace repose::theory {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-double radians(double degrees) { return degrees * (pi / 180.0); }
+using std::numbers::pi;
 
 /// Models of every kind with random valid angles, slopes and closures.
 std::vector<Osl> random_models(bool with_ife) {

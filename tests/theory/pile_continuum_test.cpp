@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/theory/pile_continuum.hpp"
 
+#include "repose/core/numbers.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,8 +12,6 @@
 
 namespace repose::theory {
 namespace {
-
-double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
 
 // The printed closed forms (54)-(57), independent of the code, which adds lengths of diagonals.
 TEST(PileContinuum, EqualsThePrintedForms) {

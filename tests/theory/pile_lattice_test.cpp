@@ -15,7 +15,7 @@
 namespace repose::theory {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Force {
   double x = 0.0;

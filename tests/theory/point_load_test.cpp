@@ -15,7 +15,7 @@
 namespace repose::theory {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double integral(const std::function<double(double)>& f, double from, double to) {
   return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(f, from, to, 3, 1e-12);

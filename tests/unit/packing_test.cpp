@@ -14,7 +14,7 @@
 namespace repose {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Packing read(const Discs& discs, const Box<2>& box, const PackingOptions& options = {}) {
   const auto result = analyse_packing(discs, box, options);

@@ -107,8 +107,10 @@ TEST(RigidImpact, AJammingNotchStopsTheDisc) {
   EXPECT_NEAR(world.method.account().restitution_lost, static_cast<double>(world.method.account().reduced), 1e-12);
 }
 
-// A gas of rough discs of two materials in a box, without gravity.
+// A gas of rough discs of two materials in a box, without gravity. In some clusters restitution gives way by a
+// fraction: the sum of what is lost is then no whole number of contacts.
 TEST(RigidImpact, DenseBedsAddNoEnergy) {
+  int by_a_fraction = 0;
   for (const double friction : {0.3, 1.0, 5.0}) {
     for (const double restitution : {0.1, 0.7, 1.0}) {
       ImpulseLaw soft, hard;
@@ -125,8 +127,11 @@ TEST(RigidImpact, DenseBedsAddNoEnergy) {
         world.grains.material.back() = static_cast<std::uint16_t>(k % 2);
       }
       EXPECT_LE(largest_rise(world, 100), 1e-9) << friction << ", " << restitution;
+      const double lost = world.method.account().restitution_lost;
+      by_a_fraction += std::fabs(lost - std::round(lost)) > 1e-6 ? 1 : 0;
     }
   }
+  EXPECT_GT(by_a_fraction, 0);
 }
 
 // Spheres: a pocket of three fixed spheres far apart.

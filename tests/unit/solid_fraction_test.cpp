@@ -13,7 +13,7 @@
 namespace repose {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The area of a disc in a rectangle, by the midpoint rule with thin strips. The error of n strips is about r^2 n^-1.5,
 /// from the ends of the chords.

@@ -13,7 +13,7 @@
 namespace repose {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::vector<Vec<2>> independent_points(std::size_t count, const Slab& slab, std::uint64_t seed) {
   return independent_discs(count, slab, seed).position;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/analysis/fabric.hpp"
 
+#include "repose/core/numbers.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,14 +12,12 @@ namespace repose {
 
 namespace {
 
-constexpr double degrees = 180.0 / std::numbers::pi;
-
 // The sums of each block.
-enum Sum : std::size_t { contacts, xx, yy, xy, folded_xy };
+enum FabricSum : std::size_t { contacts, xx, yy, xy, folded_xy };
 using Sums = std::array<double, 5>;
 
-FabricTensor tensor_of(const std::vector<Sums>& blocks, Sum off_diagonal) {
-  const auto mean = [&](Sum part) {
+FabricTensor tensor_of(const std::vector<Sums>& blocks, FabricSum off_diagonal) {
+  const auto mean = [&](FabricSum part) {
     return over_blocks(blocks, [part](const Sums& sum) { return sum[part] / sum[contacts]; }).mean;
   };
   FabricTensor tensor;
@@ -27,11 +27,11 @@ FabricTensor tensor_of(const std::vector<Sums>& blocks, Sum off_diagonal) {
   tensor.anisotropy = over_blocks(blocks, [off_diagonal](const Sums& sum) {
     return 2.0 * std::hypot(sum[yy] - sum[xx], 2.0 * sum[off_diagonal]) / sum[contacts];
   });
-  tensor.direction_deg.mean = 0.5 * degrees * std::atan2(2.0 * tensor.xy, tensor.yy - tensor.xx);
+  tensor.direction_deg.mean = 0.5 * degrees_per_radian * std::atan2(2.0 * tensor.xy, tensor.yy - tensor.xx);
   // An axis has no sign, so the axis of a part is turned to the side of the axis of the whole before they are compared.
   const double whole = tensor.direction_deg.mean;
   tensor.direction_deg = over_blocks(blocks, [off_diagonal, whole](const Sums& sum) {
-    const double angle = 0.5 * degrees * std::atan2(2.0 * sum[off_diagonal], sum[yy] - sum[xx]);
+    const double angle = 0.5 * degrees_per_radian * std::atan2(2.0 * sum[off_diagonal], sum[yy] - sum[xx]);
     return angle - 180.0 * std::round((angle - whole) / 180.0);
   });
   if (tensor.direction_deg.mean <= -90.0) tensor.direction_deg.mean = 90.0;
@@ -74,7 +74,8 @@ std::optional<Fabric> measure_fabric(const Discs& discs, const ContactGraph& gra
       waves[3] += sin_4;
       waves[4] += cos_4 * cos_2 - sin_4 * sin_2;
       waves[5] += sin_4 * cos_2 + cos_4 * sin_2;
-      const double angle = degrees * std::atan2(sine, cosine);  // from either end of the branch; modulo 180 below
+      const double angle =
+          degrees_per_radian * std::atan2(sine, cosine);  // from either end of the branch; modulo 180 below
       const auto bin = static_cast<std::int64_t>(std::floor((angle + 270.0) * per_bin - 0.5));
       ++fabric.count[static_cast<std::size_t>(bin) % bins];
     }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/analysis/heap.hpp"
 
+#include "repose/core/numbers.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -12,7 +14,6 @@ namespace repose {
 
 namespace {
 
-constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr double lowest_used = 0.1;
 constexpr double highest_used = 0.9;
 constexpr double highest_end = 0.5;  // of a heap, over the height of its apex
@@ -39,7 +40,7 @@ std::optional<FlankLine> fit(const std::vector<SurfaceBin>& surface, std::size_t
     sxh += (surface[k].x - sum_x / n) * (surface[k].height - sum_h / n);
   }
   const double slope = sxh / sxx;
-  return FlankLine{slope, sum_h / n - slope * sum_x / n, std::atan(-outward * slope) * degrees};
+  return FlankLine{slope, sum_h / n - slope * sum_x / n, std::atan(-outward * slope) * degrees_per_radian};
 }
 
 template <int D>
@@ -59,7 +60,7 @@ std::optional<double> moments_angle(const Grains<D>& grains, const std::vector<b
     if (in_heap[k]) spread += std::fabs(grains.line[k].position[0] - x / n);
   }
   if (spread == 0.0) return std::nullopt;
-  return std::atan2(y, spread) * degrees;
+  return std::atan2(y, spread) * degrees_per_radian;
 }
 
 /// Whether the surface falls to both sides, as that of a heap, and not only to the walls of a silo or pipe.
@@ -84,7 +85,7 @@ double depth_below_surface(const HeapShape& heap, double x, double height) {
     top = left->height + (right->height - left->height) * (x - left->x) / (right->x - left->x);
   }
   const auto& flank = x < heap.apex_x ? heap.left : heap.right;
-  return (top - height) * (flank ? std::cos(flank->angle_deg / degrees) : 1.0);
+  return (top - height) * (flank ? std::cos(flank->angle_deg / degrees_per_radian) : 1.0);
 }
 
 template <int D>

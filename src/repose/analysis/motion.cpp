@@ -3,6 +3,7 @@
 #include "repose/analysis/motion.hpp"
 
 #include "repose/analysis/heap.hpp"
+#include "repose/core/numbers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,6 @@
 namespace repose {
 
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// A grain that moved in an interval.
 struct Move {
@@ -38,7 +37,7 @@ HeapShape shape_of(const TrackMoment& moment, const MotionSettings& settings) {
 
 /// The depth of a layer: the move of rank ceil(0.9 n) by depth; NaN without moves.
 double layer_depth(const std::vector<Move>& moves) {
-  if (moves.empty()) return none;
+  if (moves.empty()) return no_number;
   std::vector<double> depths;
   for (const auto& move : moves) depths.push_back(move.depth);
   const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.9 * static_cast<double>(depths.size()))) - 1;
@@ -106,7 +105,7 @@ void for_each_sequence(const std::vector<MotionRow>& rows, const Belongs& belong
 
 template <class Event>
 void add(std::vector<Event>& events, Event event) {
-  event.waiting = events.empty() ? none : event.start - events.back().end;
+  event.waiting = events.empty() ? no_number : event.start - events.back().end;
   events.push_back(event);
 }
 
@@ -120,8 +119,8 @@ Motion measure_motion(const Track& track, const Box<2>& box, const MotionSetting
   for (std::size_t k = 0; k + 1 < track.size(); ++k) {
     auto row = compare(track[k], track[k + 1], shape, box, settings, moves[k]);
     shape = shape_of(track[k + 1], settings);
-    row.angle_left_deg = shape.left ? shape.left->angle_deg : none;
-    row.angle_right_deg = shape.right ? shape.right->angle_deg : none;
+    row.angle_left_deg = shape.left ? shape.left->angle_deg : no_number;
+    row.angle_right_deg = shape.right ? shape.right->angle_deg : no_number;
     motion.rows.push_back(row);
   }
   for_each_sequence(

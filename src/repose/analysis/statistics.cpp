@@ -2,19 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/analysis/statistics.hpp"
 
+#include "repose/core/numbers.hpp"
+
 #include <cmath>
 #include <limits>
 
 namespace repose {
 
-namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
+namespace {}  // namespace
 
 Estimate mean_of(const std::vector<double>& values) {
-  Estimate estimate{0, none, none, none};
+  Estimate estimate{0, no_number, no_number, no_number};
   double sum = 0.0;
   for (const double x : values) {
     if (std::isnan(x)) continue;
@@ -35,7 +33,7 @@ Estimate mean_of(const std::vector<double>& values) {
 }
 
 Estimate jackknife(std::size_t count, const std::function<double(std::size_t without)>& statistic) {
-  Estimate estimate{count, statistic(count), none, none};
+  Estimate estimate{count, statistic(count), no_number, no_number};
   if (count < 2) return estimate;
   const auto n = static_cast<double>(count);
   std::vector<double> values;

@@ -13,7 +13,7 @@ namespace repose {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double weight(const Vec<2>& point, const Slab& slab, Window window) {
   if (window == Window::none) return 1.0;

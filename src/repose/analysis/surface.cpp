@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/analysis/surface.hpp"
 
+#include "repose/core/numbers.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,7 +15,6 @@ namespace repose {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t parts = 8;         // parts of the profile for the jackknife
 constexpr double hardly_in = 1e-9;       // [columns] a disc that reaches into a column by less does not count there
 constexpr std::size_t least_points = 3;  // points that an exponent needs
@@ -24,7 +25,7 @@ SurfaceProfile empty_profile(const Box<2>& box, double column) {
   profile.left = box.x_min;
   profile.column = box.width() / static_cast<double>(columns);
   profile.periodic = box.periodic;
-  profile.height.assign(columns, none);
+  profile.height.assign(columns, no_number);
   return profile;
 }
 
@@ -59,7 +60,7 @@ double log_slope(const std::vector<double>& x, const std::vector<double>& y) {
     xx += squared(std::log(x[k]) - mean_x);
     xy += (std::log(x[k]) - mean_x) * (std::log(y[k]) - mean_y);
   }
-  return xx > 0.0 ? xy / xx : none;
+  return xx > 0.0 ? xy / xx : no_number;
 }
 
 /// The exponent and its jackknife error; none with fewer than three points or a width of zero.
@@ -85,7 +86,7 @@ struct Moments {
     return *this;
   }
   double deviation() const {
-    if (!(count > 0.0)) return none;
+    if (!(count > 0.0)) return no_number;
     return std::sqrt(std::max(0.0, squares / count - squared(sum / count)));
   }
 };

@@ -30,7 +30,7 @@ std::vector<std::string> names_of_kinds() {
   return names;
 }
 
-int act(const std::string& kind) {
+int print_scene(const std::string& kind) {
   say("{}", kind.empty() ? list_of_kinds() : starting_scene(kind));
   return 0;
 }
@@ -47,7 +47,7 @@ Verb scene_verb() {
       .examples = {{"repose scene", "List the kinds"},
                    {"repose scene heap > my-heap.toml", "Start a scene of a heap"},
                    {"repose check my-heap.toml", "See what it would run, after editing it"}},
-      .act = [kind] { return act(*kind); }};
+      .act = [kind] { return print_scene(*kind); }};
 }
 
 }  // namespace repose

@@ -16,7 +16,7 @@ namespace {
 using Values = Hdf5Reader::Values;
 
 /// A column of a table: some values of a dataset, `stride` apart and each for `repeat` rows, over again at the end.
-struct Column {
+struct CsvColumn {
   std::string name;
   const Values* values = nullptr;
   std::size_t first = 0;
@@ -42,7 +42,7 @@ std::string as_cell(const std::string& name) {
   return name.find_first_of(",;\"\t \n") == std::string::npos ? name : quoted(on_one_line(name));
 }
 
-void print_cell(WholeFile& file, const Column& column, std::size_t row) {
+void print_cell(WholeFile& file, const CsvColumn& column, std::size_t row) {
   const auto place = column.first + column.stride * (row % column.period / column.repeat);
   std::visit(
       [&](const auto& values) {
@@ -143,7 +143,7 @@ std::vector<CsvTable> csv_tables(const Hdf5Reader& file) {
 
 void write_csv(const std::string& path, const Hdf5Reader& file, const CsvTable& table) {
   std::map<std::string, Values> values;  // by dataset; its places stay where they are
-  std::vector<Column> columns;
+  std::vector<CsvColumn> columns;
   std::size_t rows = 0;
   if (table.grid) {
     const auto x = file.shape(table.group + "/x")[0];

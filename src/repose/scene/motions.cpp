@@ -10,10 +10,10 @@ namespace {
 
 using Motion = WallMotion<2>;
 
-Vec<2> vector_of(const std::array<double, 2>& numbers) { return {{numbers[0], numbers[1]}}; }
+Vec<2> as_vector(const std::array<double, 2>& numbers) { return {{numbers[0], numbers[1]}}; }
 
 Vec<2> direction_of(const std::array<double, 2>& numbers) {
-  const auto vector = vector_of(numbers);
+  const auto vector = as_vector(numbers);
   return vector * (1.0 / magnitude(vector));
 }
 
@@ -38,7 +38,7 @@ void DrivenWall::keys(Parameters& keys) {
 Motion DrivenWall::motion() const {
   auto motion = between_times(Motion::Kind::velocity);
   motion.direction = direction_of(velocity);
-  motion.speed = magnitude(vector_of(velocity));
+  motion.speed = magnitude(as_vector(velocity));
   return motion;
 }
 
@@ -52,7 +52,7 @@ void VibratingWall::keys(Parameters& keys) {
 Motion VibratingWall::motion() const {
   auto motion = between_times(Motion::Kind::vibration);
   motion.direction = direction_of(amplitude);
-  motion.amplitude = magnitude(vector_of(amplitude));
+  motion.amplitude = magnitude(as_vector(amplitude));
   motion.frequency = 2.0 * std::numbers::pi * frequency;
   motion.phase = phase * std::numbers::pi / 180.0;
   return motion;
@@ -67,7 +67,7 @@ void RotatingWall::keys(Parameters& keys) {
 Motion RotatingWall::motion() const {
   auto motion = between_times(Motion::Kind::rotation);
   motion.speed = angular_velocity;
-  motion.centre = vector_of(centre);
+  motion.centre = as_vector(centre);
   motion.axis = 1.0;
   return motion;
 }
@@ -110,7 +110,7 @@ void PushedPiston::keys(Parameters& keys) {
 Motion PushedPiston::motion() const {
   auto motion = piston_motion(Motion::Kind::force);
   motion.direction = direction_of(force);
-  motion.force = magnitude(vector_of(force));
+  motion.force = magnitude(as_vector(force));
   return motion;
 }
 
@@ -123,7 +123,7 @@ void SprungPiston::keys(Parameters& keys) {
 Motion SprungPiston::motion() const {
   auto motion = piston_motion(Motion::Kind::spring);
   motion.direction = direction_of(velocity);
-  motion.speed = magnitude(vector_of(velocity));
+  motion.speed = magnitude(as_vector(velocity));
   motion.stiffness = stiffness;
   return motion;
 }

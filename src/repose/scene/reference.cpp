@@ -15,7 +15,7 @@ namespace repose {
 namespace {
 
 /// "contact" of "contact.normal.law", "wall[]" of "wall[].from", "" of "seed".
-std::string table_of(const std::string& key) {
+std::string toml_table_of(const std::string& key) {
   const auto dot = key.find('.');
   return dot == std::string::npos ? "" : key.substr(0, dot);
 }
@@ -46,7 +46,7 @@ std::string joined(std::vector<std::string> names, const std::string& last) {
 
 /// `kind = "row"`, or `columns` is not 0.
 std::string condition_text(const KeyCondition& condition, const std::string& table) {
-  const auto name = table_of(condition.key) == table ? below_table(condition.key) : condition.key;
+  const auto name = toml_table_of(condition.key) == table ? below_table(condition.key) : condition.key;
   const auto& first = condition.values.front();
   if (first == "given") return fmt::format("`{}` given", name);
   if (first.starts_with("not ")) return fmt::format("`{}` not {}", name, first.substr(4));
@@ -73,7 +73,7 @@ std::string where(const KeyText& key, bool with_methods) {
   std::string text;
   if (with_methods && !has_every_method(key.methods)) text = joined(key.methods, "and");
   for (const auto& condition : key.conditions) {
-    text += (text.empty() ? "" : ", ") + condition_text(condition, table_of(key.key));
+    text += (text.empty() ? "" : ", ") + condition_text(condition, toml_table_of(key.key));
   }
   return text;
 }
@@ -105,7 +105,7 @@ std::string table_text(const std::string& table, const std::vector<KeyText>& all
   std::vector<const KeyText*> keys;
   std::vector<std::string> names;
   for (const auto& key : all) {
-    if (table_of(key.key) != table || repeats_contact(key.key)) continue;
+    if (toml_table_of(key.key) != table || repeats_contact(key.key)) continue;
     keys.push_back(&key);
     if (std::find(names.begin(), names.end(), key.key) == names.end()) names.push_back(key.key);
   }
@@ -133,7 +133,7 @@ std::string scene_reference() {
   const auto keys = all_keys();
   std::vector<std::string> tables;
   for (const auto& key : keys) {
-    const auto table = table_of(key.key);
+    const auto table = toml_table_of(key.key);
     if (std::find(tables.begin(), tables.end(), table) == tables.end()) tables.push_back(table);
   }
   std::string text;

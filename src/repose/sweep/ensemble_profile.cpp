@@ -4,6 +4,7 @@
 
 #include "repose/analysis/bootstrap.hpp"
 #include "repose/analysis/statistics.hpp"
+#include "repose/core/numbers.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -12,17 +13,15 @@ namespace repose {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 double dip_of(const BaseProfile& profile) {
   const auto dip = base_dip(profile);
-  return dip ? dip->index : none;
+  return dip ? dip->index : no_number;
 }
 
 double max_over_centre_of(const BaseProfile& profile) {
   const auto dip = base_dip(profile);
   const auto ratio = dip ? max_over_centre(profile, dip->centre, dip->half_width) : std::nullopt;
-  return ratio.value_or(none);
+  return ratio.value_or(no_number);
 }
 
 /// The mean profile of members with weights.
@@ -106,13 +105,13 @@ std::optional<EnsembleProfile> ensemble_profile(const std::vector<const BaseProf
     profile.binned.shear_error[k] = over_members([&](std::size_t m) { return each[m].shear[k]; }).error;
   }
   const auto of_mean = [&](const ProfileMeasure& measure) {
-    return estimate_of(inferred(measure, members), none, members.size());
+    return estimate_of(inferred(measure, members), no_number, members.size());
   };
   profile.dip_index = of_mean(all_measures[0]);
   profile.max_over_centre = of_mean(all_measures[1]);
   const auto dip = base_dip(profile.mean);
-  profile.centre = dip ? dip->centre : none;
-  profile.half_width = dip ? dip->half_width : none;
+  profile.centre = dip ? dip->centre : no_number;
+  profile.half_width = dip ? dip->half_width : no_number;
   return profile;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/sweep/response.hpp"
 
+#include "repose/core/numbers.hpp"
 #include "repose/scene/write.hpp"
 #include "repose/sweep/response_theory.hpp"
 
@@ -15,7 +16,6 @@ namespace repose {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double reach = 2.0;          // [h] of the bins
 constexpr double narrowest_bin = 0.1;  // [h]
 
@@ -36,7 +36,7 @@ double along(double x, double from, double width) { return width > 0.0 ? std::re
 /// Position of the grain that will bear the load, in a bed without the load.
 Vec<2> loaded_place(const Record& record, const Scene::Load& load) {
   const double width = width_of(record.scene);
-  Vec<2> nearest{{none, none}};
+  Vec<2> nearest{{no_number, no_number}};
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < record.grains.size(); ++k) {
     const auto& grain = record.grains->line[k];
@@ -138,7 +138,7 @@ double difference(const Samples& first, double first_force, const Samples& secon
       }
     }
   }
-  return size > 0.0 ? std::sqrt(off / size) : none;
+  return size > 0.0 ? std::sqrt(off / size) : no_number;
 }
 
 }  // namespace
@@ -195,7 +195,7 @@ std::vector<PointResponse> point_responses(const SweepPlan& plan, const SweepTab
     }
     if (samples.empty()) continue;
     measure(response, samples, scene);
-    response.nonlinearity = none;
+    response.nonlinearity = no_number;
     for (std::size_t k = 0; k < responses.size() && std::isnan(response.nonlinearity); ++k) {
       if (responses[k].without != response.without) continue;
       response.nonlinearity = difference(samples, response.force, all_samples[k], responses[k].force);

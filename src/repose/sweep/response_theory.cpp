@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/sweep/response_theory.hpp"
 
+#include "repose/core/numbers.hpp"
 #include "repose/theory/point_load.hpp"
 
 #include <boost/math/tools/minima.hpp>
@@ -14,8 +15,6 @@
 namespace repose {
 
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// k_t/k_n of the contacts: 0 without friction; that of linear springs; otherwise, also for rigid grains, 0.5.
 double stiffness_ratio(const Scene& scene) {
@@ -62,7 +61,7 @@ double chi_square(const PointResponse& response, const std::vector<double>& valu
     const double off = (response.bins[k].mean - values[k]) / response.bins[k].error;
     sum += off * off;
   }
-  return std::isfinite(sum) ? sum : none;
+  return std::isfinite(sum) ? sum : no_number;
 }
 
 }  // namespace
@@ -89,7 +88,7 @@ void compare_with_theory(PointResponse& response, const Scene& scene, double pit
   add("elastic", elastic(model.poisson));
   add("osl", osl_means(response, model));
   add("diffusive", bin_means(response, [&](double x) { return diffusive_stress(model, x); }));
-  response.fitted_poisson = none;
+  response.fitted_poisson = no_number;
   if (std::isnan(response.curves.front().chi_square)) return;
   const double poisson = boost::math::tools::brent_find_minima(
                              [&](double value) { return chi_square(response, elastic(value)); }, 0.0, 0.5, 16)

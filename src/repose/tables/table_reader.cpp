@@ -12,11 +12,11 @@ namespace repose {
 
 namespace {
 
-constexpr const char* white = " \t\r";
+constexpr const char* blank_signs = " \t\r";
 
 /// The text of a comment; none if the line is no comment.
 std::optional<std::string_view> comment_in(std::string_view line) {
-  const auto begin = line.find_first_not_of(white);
+  const auto begin = line.find_first_not_of(blank_signs);
   if (begin == std::string_view::npos) return std::nullopt;
   const auto text = line.substr(begin);
   const auto sign = text.front();
@@ -135,7 +135,7 @@ void TableReader::split_row() {
     if (!separator_) {
       separator_ = separator_of_names_;
       split(text_, *separator_, cells_);
-      const auto quote = text_.find_first_not_of(white);
+      const auto quote = text_.find_first_not_of(blank_signs);
       row_names_ = cells_.size() == columns_.size() + 1 && !cells_.back().empty() && text_[quote] == '"';
     }
   }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/theory/linear_wedge.hpp"
 
+#include "repose/core/numbers.hpp"
+
 #include <boost/math/tools/roots.hpp>
 
 #include <algorithm>
@@ -10,8 +12,6 @@
 namespace repose::theory {
 
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 // A surface at the friction angle is exactly at yield, so rounding must not count as a violation.
 double margin_of_rounding(double sin_friction) { return std::max(1e-12, 1e-14 / sin_friction); }
@@ -93,7 +93,7 @@ YieldViolation yield_violation(const LinearWedge& wedge, double sin_friction) {
   const double flank = yield_margin(wedge.outer, sin_friction);
   const double smallest = std::min(core, flank);
   const double rounding = margin_of_rounding(sin_friction);
-  YieldViolation violation{std::abs(smallest) < rounding ? 0.0 : smallest, none, none, 0.0};
+  YieldViolation violation{std::abs(smallest) < rounding ? 0.0 : smallest, no_number, no_number, 0.0};
   const bool core_fails = core < -rounding;
   const bool flank_fails = flank < -rounding;
   if (!core_fails && !flank_fails) return violation;

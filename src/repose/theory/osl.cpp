@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/theory/osl.hpp"
 
+#include "repose/core/numbers.hpp"
 #include "repose/theory/incipient_failure.hpp"
 #include "repose/theory/linear_wedge.hpp"
 #include "repose/theory/wedge_stress.hpp"
@@ -19,18 +20,16 @@ namespace repose::theory {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double flattest_at_failure = 0.1;  // deg; smallest angle for which the solver of incipient failure is tested
 constexpr double dip_of_rounding = 1e-9;     // numerical error of the depth of a dip
 
-double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
 double slope_of(const Osl& model) { return radians(model.slope_deg.value_or(model.angle_deg)); }
 
 LinearClosure closure_of(const Osl& model) {
   const double tan_friction = std::tan(radians(model.angle_deg));
   if (model.model == "fpa") return fixed_principal_axis(tan_friction);
   if (model.model == "bcc") return bouchaud_cates_claudin(tan_friction);
-  const double mu = model.mu.value_or(none);
+  const double mu = model.mu.value_or(no_number);
   return {.eta = model.eta.value_or(eta_of_surface_yield(mu, tan_friction)), .mu = mu};
 }
 
@@ -118,13 +117,13 @@ std::vector<Column> columns_of(const Osl& model, const Wedge& wedge) {
 
 /// The numbers that both kinds of wedge have.
 struct Summary {
-  double eta = none;
-  double mu = none;
-  double lambda_plus = none;
-  double lambda_minus = none;
-  double s_inner = none;
-  double centre = none;
-  double peak = none;
+  double eta = no_number;
+  double mu = no_number;
+  double lambda_plus = no_number;
+  double lambda_minus = no_number;
+  double s_inner = no_number;
+  double centre = no_number;
+  double peak = no_number;
   bool dip = false;
   double dip_depth = 0.0;
   YieldViolation yield;
@@ -155,7 +154,7 @@ Summary summary_of(const IncipientFailure& wedge, double /*sin_friction*/) {
           .peak = dip ? peak : centre,
           .dip = dip,
           .dip_depth = dip ? depth : 0.0,
-          .yield = {0.0, none, none, 0.0}};
+          .yield = {0.0, no_number, no_number, 0.0}};
 }
 
 std::vector<Number> numbers_of(const Osl& model, const Summary& summary) {

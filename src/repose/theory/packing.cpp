@@ -10,7 +10,7 @@ namespace repose::theory {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace

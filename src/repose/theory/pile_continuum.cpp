@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/theory/pile_continuum.hpp"
 
+#include "repose/core/numbers.hpp"
+
 #include <cmath>
 #include <numbers>
 
@@ -9,19 +11,18 @@ namespace repose::theory {
 
 namespace {
 
-double sine(double degrees) { return std::sin(degrees * (std::numbers::pi / 180.0)); }
-
 /// x_c/B of (49), where the lattice line down from the apex meets the base. 60 - slope is exact in degrees.
 double plateau_begins(double slope_deg) {
-  return sine(60.0 - slope_deg) / (2.0 * sine(60.0) * std::cos(slope_deg * (std::numbers::pi / 180.0)));
+  return std::sin(radians(60.0 - slope_deg)) /
+         (2.0 * std::sin(radians(60.0)) * std::cos(slope_deg * (std::numbers::pi / 180.0)));
 }
 
 }  // namespace
 
 BaseForce base_force(const PileContinuum& model, double x_over_b) {
-  const double slope = sine(model.slope_deg);
+  const double slope = std::sin(radians(model.slope_deg));
   const double x = x_over_b <= 0.5 ? x_over_b : 1.0 - x_over_b;  // from the nearer foot
-  const double per_distance = slope / sine(120.0 - model.slope_deg);
+  const double per_distance = slope / std::sin(radians(120.0 - model.slope_deg));
   // The length of the lattice line from x up towards the nearer side, which ends on the near flank, and of the one up
   // towards the farther side, which ends on the far flank on the plateau and on the near flank before it. On a gentle
   // slope their difference is far smaller than either, so it is computed separately, from
@@ -30,7 +31,7 @@ BaseForce base_force(const PileContinuum& model, double x_over_b) {
   double far_line = (1.0 - x) * per_distance;
   double difference = (x - (1.0 - x)) * per_distance;
   if (x <= plateau_begins(model.slope_deg)) {
-    far_line = x * slope / sine(60.0 - model.slope_deg);
+    far_line = x * slope / std::sin(radians(60.0 - model.slope_deg));
     difference = -far_line * per_distance;
   }
   const double outward = difference / (2.0 * std::numbers::sqrt3) + 0.0;  // + 0.0 avoids minus zero

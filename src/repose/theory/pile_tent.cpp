@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/theory/pile_tent.hpp"
 
+#include "repose/core/numbers.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,10 +14,7 @@ namespace repose::theory {
 
 namespace {
 
-constexpr double dip_of_rounding = 1e-12;
-
-double radians(double degrees) { return degrees * (std::numbers::pi / 180.0); }
-double sine(double degrees) { return std::sin(radians(degrees)); }
+constexpr double rounding_dip = 1e-12;
 
 /// The lattice lines from the base up to the left that end at the corners of the surface: left foot, left break, apex,
 /// right break, right foot. Between the corners lengths are linear in the position.
@@ -28,7 +27,8 @@ struct Corners {
 /// a: w sin(60 +- a)/(cos a sin 60), with plus where the surface rises. 60 - a is computed in degrees, where it is
 /// exact.
 double between_feet(double width, double slope_deg, double rising) {
-  return width * sine(60.0 + rising * slope_deg) / (sine(60.0) * std::cos(radians(slope_deg)));
+  return width * std::sin(radians(60.0 + rising * slope_deg)) /
+         (std::sin(radians(60.0)) * std::cos(radians(slope_deg)));
 }
 
 Corners corners_of(const PileTent& model) {
@@ -85,7 +85,7 @@ Table evaluate(const PileTent& model) {
   double peak = centre;
   for (const double x : corners.foot) peak = std::max(peak, force_at(corners, x).normal);
   const double depth = 1.0 - centre / peak;
-  const bool dip = depth > dip_of_rounding;
+  const bool dip = depth > rounding_dip;
   // Each lattice direction carries half of the weight. The distance between its lines is sqrt(3)/2 of their spacing on
   // the base, so the integral of the lengths over the base is the area divided by that.
   const double break_height = model.break_at * std::tan(radians(model.lower_slope_deg));

@@ -12,7 +12,7 @@ namespace repose::theory {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Flamant's stress, or its average over a strip: Johnson (1985), eqs (2.23), (2.30). The difference of the angles to
 /// the two ends of the strip is computed as one angle, which does not cancel for a narrow strip.

@@ -11,7 +11,7 @@ namespace repose {
 namespace {
 
 /// Text for troff: hyphens stay hyphens that can be copied, and no line of text is read as a request.
-std::string escaped(const std::string& text) {
+std::string for_man(const std::string& text) {
   std::string result;
   for (const char letter : text) {
     if (letter == '\\') {
@@ -25,14 +25,14 @@ std::string escaped(const std::string& text) {
   return result.starts_with('.') || result.starts_with('\'') ? "\\&" + result : result;
 }
 
-std::string paragraphs(std::string text) {
+std::string man_paragraphs(std::string text) {
   if (text.empty()) return "";
   for (std::size_t at = 0; (at = text.find("\n\n", at)) != std::string::npos;) text.replace(at, 2, "\n.PP\n");
   std::string result = ".PP\n";
   for (std::size_t start = 0; start < text.size();) {
     const auto end = std::min(text.find('\n', start), text.size());
     const auto line = text.substr(start, end - start);
-    result += (line == ".PP" ? line : escaped(line)) + "\n";
+    result += (line == ".PP" ? line : for_man(line)) + "\n";
     start = end + 1;
   }
   return result;
@@ -41,7 +41,7 @@ std::string paragraphs(std::string text) {
 std::string arguments(const Verb& verb) {
   std::string text;
   for (const auto& argument : verb.arguments) {
-    text += fmt::format(".TP\n.B {}\n{}.\n", escaped(written(argument)), escaped(meaning(argument)));
+    text += fmt::format(".TP\n.B {}\n{}.\n", for_man(written(argument)), for_man(meaning(argument)));
   }
   return text;
 }
@@ -49,7 +49,7 @@ std::string arguments(const Verb& verb) {
 std::string examples(const Verb& verb) {
   std::string text;
   for (const auto& example : verb.examples) {
-    text += fmt::format(".PP\n{}:\n.PP\n.in +4\n.EX\n{}\n.EE\n.in\n", escaped(example.about), escaped(example.command));
+    text += fmt::format(".PP\n{}:\n.PP\n.in +4\n.EX\n{}\n.EE\n.in\n", for_man(example.about), for_man(example.command));
   }
   return text;
 }
@@ -59,17 +59,17 @@ std::string examples(const Verb& verb) {
 std::string man_page(const Program& program, const std::string& version) {
   const auto& itself = program.itself;
   std::string text = fmt::format(".TH REPOSE 1 \"\" \"repose {}\" \"User commands\"\n", version);
-  text += fmt::format(".SH NAME\n{} \\- {}\n", itself.name, escaped(itself.about));
+  text += fmt::format(".SH NAME\n{} \\- {}\n", itself.name, for_man(itself.about));
   text += ".SH SYNOPSIS\n";
   for (const auto& verb : program.verbs) {
-    text += fmt::format(".B {}\n.br\n", escaped(usage(program, verb)));
+    text += fmt::format(".B {}\n.br\n", for_man(usage(program, verb)));
   }
-  text += ".SH DESCRIPTION\n" + paragraphs(itself.details);
+  text += ".SH DESCRIPTION\n" + man_paragraphs(itself.details);
   text += ".SH OPTIONS\n" + arguments(itself) + ".TP\n.B \\-\\-help\nPrint the help of the program, or of a verb.\n";
   text += ".SH VERBS\n";
   for (const auto& verb : program.verbs) {
-    text += fmt::format(".SS {}\n{}.\n", escaped(usage(program, verb)), escaped(verb.about));
-    text += paragraphs(verb.details) + arguments(verb) + examples(verb);
+    text += fmt::format(".SS {}\n{}.\n", for_man(usage(program, verb)), for_man(verb.about));
+    text += man_paragraphs(verb.details) + arguments(verb) + examples(verb);
   }
   return text + ".SH EXAMPLES\n" + examples(itself);
 }

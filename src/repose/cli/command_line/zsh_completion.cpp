@@ -10,7 +10,7 @@ namespace repose {
 namespace {
 
 /// Text within single quotes and square brackets of a specification of _arguments.
-std::string escaped(const std::string& text) {
+std::string for_zsh(const std::string& text) {
   std::string result;
   for (const char letter : text) {
     if (letter == '\'') {
@@ -23,7 +23,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-std::string candidates(const Argument& argument) {
+std::string zsh_candidates(const Argument& argument) {
   if (!argument.choices.empty()) return fmt::format("({})", fmt::join(argument.choices, " "));
   if (argument.suggestions) return fmt::format("({})", fmt::join(argument.suggestions(), " "));
   switch (argument.completes) {
@@ -40,11 +40,11 @@ std::string candidates(const Argument& argument) {
 }
 
 std::string specification(const Argument& argument) {
-  const auto about = escaped(argument.about);
+  const auto about = for_zsh(argument.about);
   if (argument.is_flag()) return fmt::format("'{}[{}]'", argument.name, about);
-  if (!argument.is_option()) return fmt::format("':{}:{}'", argument.name, candidates(argument));
-  return fmt::format("'{}{}[{}]:{}:{}'", argument.repeats() ? "*" : "", argument.name, about, escaped(argument.value),
-                     candidates(argument));
+  if (!argument.is_option()) return fmt::format("':{}:{}'", argument.name, zsh_candidates(argument));
+  return fmt::format("'{}{}[{}]:{}:{}'", argument.repeats() ? "*" : "", argument.name, about, for_zsh(argument.value),
+                     zsh_candidates(argument));
 }
 
 std::string specifications(const Verb& verb, const std::string& indent) {
@@ -58,7 +58,7 @@ std::string specifications(const Verb& verb, const std::string& indent) {
 std::string zsh_completion(const Program& program) {
   std::string text = "#compdef repose\n\n_repose() {\n  local context state state_descr line\n  typeset -A opt_args\n";
   text += "  local -a verbs=(\n";
-  for (const auto& verb : program.verbs) text += fmt::format("    '{}:{}'\n", verb.name, escaped(verb.about));
+  for (const auto& verb : program.verbs) text += fmt::format("    '{}:{}'\n", verb.name, for_zsh(verb.about));
   text += "  )\n  _arguments -C" + specifications(program.itself, "    ");
   text += " \\\n    '1:verb:->verb' '*::argument:->arguments'\n";
   text += "  case $state in\n    verb) _describe verb verbs ;;\n    arguments)\n      case $line[1] in\n";

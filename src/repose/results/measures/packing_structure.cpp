@@ -23,7 +23,7 @@ const Part* in(const std::optional<Part>& part) {
   return part ? &*part : nullptr;
 }
 
-void add_contacts(Registry& to) {
+void add_contact_structure(Registry& to) {
   const auto slab = [](const std::string& name, double Slab::*member, const std::string& meaning) {
     return attribute<Measured>(
         name, [=](const Measured& run) { return run.results.packing->slab.*member; }, "L", meaning);
@@ -102,7 +102,7 @@ Attributes<Part> exponent_of() {
   };
 }
 
-void add_surface(Registry& to) {
+void add_packing_surface(Registry& to) {
   const auto of_surface = [](auto PackingSurface::*member) {
     return [=](const Packing& packing) { return packing.surface ? &((*packing.surface).*member) : nullptr; };
   };
@@ -185,9 +185,9 @@ void add_local_density(Registry& to) {
 
 /// The groups of a packing in analysis.h5.
 void add_packing_structure(Registry& to) {
-  add_contacts(to);
+  add_contact_structure(to);
   add_directions(to);
-  add_surface(to);
+  add_packing_surface(to);
   add_correlations(to);
   add_local_density(to);
 }
