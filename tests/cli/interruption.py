@@ -14,7 +14,7 @@ KILLS = int(os.environ.get("REPOSE_KILLS", "2"))
 PARTS = int(os.environ.get("REPOSE_PARTS", "5"))  # parts of a file; it is cut or changed at the end of each
 
 # A heap with everything that a run can have: poured grains of many sizes, frames, a track, a moving wall, a load, the
-# energy budget. About two seconds of computing, with checkpoints as often as their cost allows.
+# energy budget. About a second of computing, with checkpoints as often as their cost allows.
 SCENE = """[grains]
 polydispersity = 0.3
 [contact]
@@ -37,7 +37,7 @@ force = [0.5, -1.0]
 start = 40.0
 [source]
 kind = "pour"
-count = 350
+count = 200
 rate = 5.0
 height = 15
 half_width = 4

@@ -18,7 +18,7 @@ def interrupted(tmp_path_factory):
     from conftest import Laboratory
 
     lab = Laboratory(tmp_path_factory.mktemp("interrupted"))
-    text = SCENE.replace("count = 350", "count = 60").replace("half_width = 12", "half_width = 8").replace(
+    text = SCENE.replace("count = 200", "count = 60").replace("half_width = 12", "half_width = 8").replace(
         "time = 120", "time = 60").replace("frames = 15", "frames = 30")
     lab.text = text
     lab.run(text, out="whole")

@@ -250,3 +250,19 @@ def test_a_sweep_has_the_mean_over_its_members(lab, rigid):
                 assert (name, state) == ("dip", "max"), "only the dip index of a small heap may have no bound"
                 continue
             assert float(row[f"force_range.{name}.{state}"]) == pytest.approx(np.mean(values), rel=1e-6), (name, state)
+
+
+def test_a_sweep_of_several_methods_has_ranges_where_grains_are_rigid(lab, rigid):
+    scene = (rigid[0] / "scene.toml").read_text().replace("count = 60", "count = 20")
+    lab.scene(scene, "heap.toml")
+    soft = "[base]\nkind = 'row'\nhalf_width = 4\n[source]\nkind = 'pour'\ncount = 5\nrate = 1.0\n[stop]\ntime = 20\n"
+    lab.scene(soft, "soft.toml")
+    points = "seeds = 1\n[[point]]\nname = 'soft'\nscene = 'soft.toml'\n"
+    lab.scene(points, "soft-sweep.toml")
+    lab.scene(points + "[[point]]\nname = 'rigid'\nscene = 'heap.toml'\n", "sweep.toml")
+    for name in ("soft-sweep", "sweep"):
+        assert lab("sweep", f"{name}.toml", "--out", name, "--quiet").returncode == 0
+    assert lab("analyse", "sweep", "--force-range", "--quiet").returncode == 0
+    assert "force_range" not in summary(lab.path / "sweep/members/soft/seed-1")
+    assert summary(lab.path / "sweep/members/rigid/seed-1")["force_range"]["unknowns"] > 20
+    lab.refused("analyse", "soft-sweep", "--force-range", parts=["no force range: only rigid grains have one"])

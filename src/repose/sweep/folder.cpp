@@ -195,6 +195,11 @@ void SweepFolder::write(const SweepTable& table) const {
 
 std::size_t SweepFolder::analyse(bool with_force_range) const {
   const FolderLock all(path_);
+  const auto rigid = [](const auto& point) { return point.scene.method->solver() != nullptr; };
+  if (with_force_range && std::none_of(plan_.points.begin(), plan_.points.end(), rigid)) {
+    throw InputError(
+        fmt::format("{}: no force range: only rigid grains have one, and no point is of contact-dynamics", path_));
+  }
   std::size_t count = 0;
   for (const auto& member : members_) {
     const auto status = status_of(member);
@@ -203,7 +208,9 @@ std::size_t SweepFolder::analyse(bool with_force_range) const {
     const FolderLock lock(folder);
     const auto record = read_record(folder);
     auto results = repose::analyse(record);
-    if (with_force_range) results.force_range = force_range(record, results);
+    // A sweep may compare methods, of which only that of rigid grains has a range.
+    if (with_force_range && record.scene.method->solver() != nullptr)
+      results.force_range = force_range(record, results);
     write_results(folder, lock, record, results);
     ++count;
   }
