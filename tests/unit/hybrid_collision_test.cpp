@@ -100,15 +100,15 @@ TEST(HybridCollision, ASlidingDiscThatSticksRollsAtTwoThirdsOfItsSpeed) {
 
 TEST(HybridCollision, TouchesAreFoundInOrderOfTime) {
   // Head on: a gap of 1 closes at speed 2.
-  EXPECT_NEAR(first_touch({{2.0, 0.0}}, {{-2.0, 0.0}}, {}, 1.0), 0.5, 1e-15);
-  EXPECT_EQ(first_touch({{2.0, 0.0}}, {{2.0, 0.0}}, {}, 1.0), no_touch);
-  EXPECT_EQ(first_touch({{2.0, 1.1}}, {{-2.0, 0.0}}, {}, 1.0), no_touch);  // they pass
+  EXPECT_NEAR(first_touch({{2.0, 0.0}}, {{-2.0, 0.0}}, {}, 1.0, 1.0), 0.5, 1e-15);
+  EXPECT_EQ(first_touch({{2.0, 0.0}}, {{2.0, 0.0}}, {}, 1.0, 1.0), no_touch);
+  EXPECT_EQ(first_touch({{2.0, 1.1}}, {{-2.0, 0.0}}, {}, 1.0, 1.0), no_touch);  // they pass
   // Touching: at once where they approach, after the throw where gravity brings them back.
-  EXPECT_EQ(first_touch({{0.0, 1.0}}, {{0.0, -0.1}}, {}, 1.0), 0.0);
-  EXPECT_NEAR(first_touch({{0.0, 1.0}}, {{0.0, 0.1}}, {{0.0, -1.0}}, 1.0), 0.2, 1e-12);
-  EXPECT_EQ(first_touch({{0.0, 1.0}}, {{0.0, 0.1}}, {}, 1.0), no_touch);
+  EXPECT_EQ(first_touch({{0.0, 1.0}}, {{0.0, -0.1}}, {}, 1.0, 1.0), 0.0);
+  EXPECT_NEAR(first_touch({{0.0, 1.0}}, {{0.0, 0.1}}, {{0.0, -1.0}}, 1.0, 1.0), 0.2, 1e-12);
+  EXPECT_EQ(first_touch({{0.0, 1.0}}, {{0.0, 0.1}}, {}, 1.0, 1.0), no_touch);
   // A fall from a height of 1/2 in gravity 1 takes 1.
-  EXPECT_NEAR(first_touch({{0.0, 1.5}}, {}, {{0.0, -1.0}}, 1.0), 1.0, 1e-12);
+  EXPECT_NEAR(first_touch({{0.0, 1.5}}, {}, {{0.0, -1.0}}, 1.0, 1.0), 1.0, 1e-12);
 }
 
 // Where paths are curved the distance at the touch is the reach, and it is larger before.
@@ -119,7 +119,7 @@ TEST(HybridCollision, CurvedPathsTouchAtTheReach) {
     const Vec<2> apart = Vec<2>{{std::cos(angle), std::sin(angle)}} * drawn(k, 1, 1.0, 1.02);
     const Vec<2> velocity{{drawn(k, 2, -1.0, 1.0), drawn(k, 3, -1.0, 1.0)}};
     const Vec<2> gravity{{0.0, -1.0}};
-    const double time = first_touch(apart, velocity, gravity, 1.0);
+    const double time = first_touch(apart, velocity, gravity, 1.0, 0.02);
     if (time > 0.02) continue;
     ++found;
     const auto distance = [&](double t) { return magnitude(apart + velocity * t + gravity * (0.5 * t * t)); };

@@ -26,14 +26,15 @@ inline double first_fall(double c0, double c1, double c2) {
 }
 
 /// The first time [T] at which two bodies `apart` [L] from each other, with a relative velocity and acceleration, come
-/// as near as `reach` [L]. Without relative acceleration it is exact.
-inline double first_touch(const Vec<2>& apart, const Vec<2>& velocity, const Vec<2>& acceleration, double reach) {
+/// as near as `reach` [L]. It is exact if it lies within the time `within` [T]; later ones are rough.
+inline double first_touch(const Vec<2>& apart, const Vec<2>& velocity, const Vec<2>& acceleration, double reach,
+                          double within) {
   const double c0 = dot(apart, apart) - reach * reach;
   const double c1 = 2.0 * dot(apart, velocity);
   const double c2 = dot(velocity, velocity) + dot(apart, acceleration);
   double time = first_fall(c0, c1, c2);
   const double c4 = 0.25 * dot(acceleration, acceleration);
-  if (c4 == 0.0 || time == no_touch || time == 0.0) return time;
+  if (c4 == 0.0 || time == 0.0 || time > 2.0 * within) return time;
   // The terms of third and fourth order are small over a step: Newton's method from the root without them.
   const double c3 = dot(velocity, acceleration);
   const double level = c0 > 0.0 ? 0.0 : c0;
@@ -41,8 +42,8 @@ inline double first_touch(const Vec<2>& apart, const Vec<2>& velocity, const Vec
   for (int k = 0; k < most; ++k) {
     const double above = c0 - level + time * (c1 + time * (c2 + time * (c3 + time * c4)));
     const double slope = c1 + time * (2.0 * c2 + time * (3.0 * c3 + time * 4.0 * c4));
-    if (!(slope < 0.0)) return time;  // they graze
     const double change = above / slope;
+    if (!(slope < 0.0) || std::fabs(change) > within) return time;  // they graze
     time -= change;
     if (std::fabs(change) <= 1e-15 * time) break;
   }
