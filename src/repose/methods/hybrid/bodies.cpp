@@ -88,12 +88,11 @@ void gather_pairs(const Surroundings& around, const Grains<2>& grains, const Tou
   for (auto& pair : system.pairs) system.time_pair(pair);
 }
 
-SoftSystem make_system(const HybridSettings& settings, double length) {
+SoftSystem make_system(const HybridSettings& settings) {
   SoftSystem system;
   system.spring = settings.spring;
   system.slip_drag = settings.slip_drag;
   system.gravity = settings.gravity;
-  system.step = length;
   system.weight = settings.weight;
   return system;
 }

@@ -28,7 +28,9 @@ constexpr double work_of_a_call = 2e5;    // grain-steps, about a second
 Hybrid::Hybrid(const ImpulseLaws& laws, const HybridSettings& settings)
     : laws_(laws),
       settings_(settings),
+      gravity_(settings.gravity),
       wall_states_(settings.walls.size()),
+      system_(hybrid::make_system(settings)),
       wall_impulses_(settings.walls.size()),
       relaxed_(settings.relaxed_start ? 0 : 1) {}
 
@@ -41,6 +43,8 @@ StepReport Hybrid::advance(Grains<2>& grains, double until, Team&) {
     relaxed_ = 1;
   }
   while (steps_ < end && report.steps < most && !report.trouble) {
+    settings_.gravity = gravity_now();
+    system_.gravity = settings_.gravity;
     report.trouble = !take_step(grains, settings_.time_step, 0);
     if (report.trouble) break;
     ++steps_;
@@ -48,6 +52,12 @@ StepReport Hybrid::advance(Grains<2>& grains, double until, Team&) {
   }
   report.time = time();
   return report;
+}
+
+/// Gravity in the middle of the step.
+Vec<2> Hybrid::gravity_now() const {
+  const double middle = time() + 0.5 * settings_.time_step;
+  return middle < settings_.gravity_ramp ? gravity_ * (middle / settings_.gravity_ramp) : gravity_;
 }
 
 /// A step; one without a solution is taken again as two halves.
@@ -67,7 +77,7 @@ bool Hybrid::take_step(Grains<2>& grains, double length, int halvings) {
   const auto reaction = grains.reaction;
   const auto touches = touches_;
   const auto surroundings = around();
-  hybrid::Step step(surroundings, grains, touches_, solver_, length);
+  hybrid::Step step(surroundings, grains, touches_, system_, solver_, length);
   const bool taken = step.take();
   account_.iterations += taken ? 0 : step.account.iterations;
   if (taken) {
@@ -89,7 +99,7 @@ bool Hybrid::relax(Grains<2>& grains) {
   hybrid::Relaxation progress{settings_.time_step};
   for (;;) {
     const auto surroundings = around();
-    const auto ended = hybrid::relax(surroundings, grains, touches_, solver_, progress, account_);
+    const auto ended = hybrid::relax(surroundings, grains, touches_, system_, solver_, progress, account_);
     if (ended == hybrid::Relaxed::done) return true;
     unsolved_ = progress.worst;
     if (ended == hybrid::Relaxed::failed) return false;

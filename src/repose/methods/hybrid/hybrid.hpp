@@ -41,6 +41,7 @@ class Hybrid final : public Method<2> {
   std::size_t soft_contacts() const { return touches_.list.size(); }
 
  private:
+  Vec<2> gravity_now() const;
   bool take_step(Grains<2>& grains, double length, int halvings);
   bool relax(Grains<2>& grains);
   void build_list(Grains<2>& grains, double reach);
@@ -50,9 +51,11 @@ class Hybrid final : public Method<2> {
 
   ImpulseLaws laws_;
   HybridSettings settings_;
+  Vec<2> gravity_;  // [L/T^2] when it has risen; that of the settings is that of the step
   std::vector<WallState> wall_states_;
   hybrid::NearList near_;
   hybrid::Touches touches_;
+  hybrid::SoftSystem system_;
   hybrid::DirectSolver solver_;
   std::vector<std::uint8_t> pinned_;  // of each grain
   std::vector<Vec<2>> wall_impulses_;

@@ -66,10 +66,10 @@ bool touches_at_rest(const Surroundings& around, const Grains<2>& grains, const 
 
 }  // namespace
 
-Relaxed relax(const Surroundings& around, Grains<2>& grains, Touches& touches, DirectSolver& solver,
+Relaxed relax(const Surroundings& around, Grains<2>& grains, Touches& touches, SoftSystem& system, DirectSolver& solver,
               Relaxation& progress, CollisionAccount& account) {
   const auto& settings = around.settings;
-  auto system = make_system(settings, progress.length);
+  system.begin(progress.length);
   system.statics = true;
   gather_bodies(around, grains, touches, progress.length, system);
   const auto body = bodies_of(grains, system);

@@ -23,7 +23,7 @@ struct Relaxation {
 /// energy, each longer than the one before, whose end is Newton's method on the statics. Static wells hold, and break
 /// where they would be left.
 /// Validated by tests/unit/hybrid_statics_test.cpp.
-Relaxed relax(const Surroundings& around, Grains<2>& grains, Touches& touches, DirectSolver& solver,
+Relaxed relax(const Surroundings& around, Grains<2>& grains, Touches& touches, SoftSystem& system, DirectSolver& solver,
               Relaxation& progress, CollisionAccount& account);
 
 }  // namespace repose::hybrid

@@ -13,8 +13,9 @@
 namespace repose {
 
 struct HybridSettings {
-  double time_step = unset;  ///< [T]
-  Vec<2> gravity{};          ///< [L/T^2]
+  double time_step = unset;   ///< [T]
+  Vec<2> gravity{};           ///< [L/T^2]
+  double gravity_ramp = 0.0;  ///< [T] over which gravity rises from 0
   Box<2> box{};
   std::vector<Wall<2>> walls{};  ///< endless and at rest
   hybrid::Spring spring{};

@@ -15,6 +15,13 @@ Vec<2> unit(const Vec<2>& a) { return a * (1.0 / std::max(magnitude(a), std::num
 
 }  // namespace
 
+void SoftSystem::begin(double length) {
+  step = length;
+  statics = false;
+  bodies.clear();
+  pairs.clear();
+}
+
 bool SoftSystem::rolls() const {
   return !statics && slip_drag > 0.0 &&
          std::any_of(pairs.begin(), pairs.end(), [](const auto& pair) { return pair.friction > 0.0; });

@@ -87,6 +87,9 @@ struct SoftSystem {
   double weight = 1.0;  ///< [M L/T^2] unit of residuals
   bool statics = false;
 
+  /// Begins a step of a length [T] without bodies and pairs; their memory is used again.
+  void begin(double length);
+
   std::vector<SoftBody> bodies;  ///< by ascending index of their grains
   std::vector<SoftPair> pairs;   ///< by ascending first, then second body
 

@@ -7,17 +7,19 @@
 
 namespace repose::hybrid {
 
-Step::Step(const Surroundings& around, Grains<2>& grains, Touches& touches, DirectSolver& solver, double length)
+Step::Step(const Surroundings& around, Grains<2>& grains, Touches& touches, SoftSystem& system, DirectSolver& solver,
+           double length)
     : wall_impulses(around.settings.walls.size()),
       around_(around),
       settings_(around.settings),
       grains_(grains),
       touches_(touches),
+      system_(system),
       solver_(solver),
       length_(length),
-      system_(make_system(around.settings, length)),
       since_(grains.size()),
       version_(grains.size()) {
+  system_.begin(length_);
   gather_bodies(around_, grains_, touches_, length_, system_);
   body_ = bodies_of(grains_, system_);
   const auto flying = static_cast<std::int64_t>(moving_count(grains_) - system_.bodies.size());

@@ -42,7 +42,7 @@ void gather_pairs(const Surroundings& around, const Grains<2>& grains, const Tou
 /// The number of the body of each grain.
 std::vector<std::uint32_t> bodies_of(const Grains<2>& grains, const SoftSystem& system);
 
-SoftSystem make_system(const HybridSettings& settings, double length);
+SoftSystem make_system(const HybridSettings& settings);
 Solved solve(const HybridSettings& settings, DirectSolver& solver, SoftSystem& system, bool definite);
 
 /// A wall, or a grain at rest, as a partner.
@@ -55,7 +55,9 @@ inline Vec<2> wall_tangent(const Wall<2>& wall) { return in_space(1.0, wall.norm
 /// solved again with it; the paths of both kinds then agree, and so do momentum and energy (docs/physics/hybrid.md).
 class Step {
  public:
-  Step(const Surroundings& around, Grains<2>& grains, Touches& touches, DirectSolver& solver, double length);
+  /// `system` and `solver` are those of the step before: what of them does not change is used again.
+  Step(const Surroundings& around, Grains<2>& grains, Touches& touches, SoftSystem& system, DirectSolver& solver,
+       double length);
 
   /// Takes the step. False if the implicit step has no solution: the grains are then not to be used.
   bool take();
@@ -109,9 +111,9 @@ class Step {
   const HybridSettings& settings_;
   Grains<2>& grains_;
   Touches& touches_;
+  SoftSystem& system_;
   DirectSolver& solver_;
   double length_;
-  SoftSystem system_;
   std::vector<std::uint32_t> body_;     // of each grain, or nobody
   std::vector<double> since_;           // [T] of the state of each flying grain
   std::vector<std::uint32_t> version_;  // of the path of each grain
