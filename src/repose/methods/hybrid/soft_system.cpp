@@ -94,14 +94,14 @@ Vec<2> SoftSystem::act(SoftPair& pair) const {
     force += tangent * pair.well_force;
   }
   pair.force = force;
-  return force * share(pair);
+  return force * fraction_of_step(pair);
 }
 
 PairSlopes SoftSystem::slopes(const SoftPair& pair) const {
   const auto at = places(pair);
   const auto mean = mean_force(statics ? Spring{spring.stiffness, 0.0} : spring, pair.reach - at.distance_before,
                                pair.reach - at.distance_after, pair.duration);
-  const double part = share(pair);
+  const double part = fraction_of_step(pair);
   Symmetric before;
   Symmetric after;
   const auto add = [&](Symmetric& to, double by, const Vec<2>& normal) {

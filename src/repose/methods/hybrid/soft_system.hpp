@@ -120,10 +120,10 @@ struct SoftSystem {
   /// Finds the mean forces of a pair; returns that on the first body, weighted by the part of the step it acts in.
   Vec<2> act(SoftPair& pair) const;
   /// The same part of its friction, which turns both rims.
-  double turning(const SoftPair& pair) const { return share(pair) * pair.friction_force; }
+  double turning(const SoftPair& pair) const { return fraction_of_step(pair) * pair.friction_force; }
   PairSlopes slopes(const SoftPair& pair) const;
-  Vec<2> force_on_first(const SoftPair& pair) const { return pair.force * share(pair); }
-  double share(const SoftPair& pair) const { return pair.duration / step; }
+  Vec<2> force_on_first(const SoftPair& pair) const { return pair.force * fraction_of_step(pair); }
+  double fraction_of_step(const SoftPair& pair) const { return pair.duration / step; }
 
  private:
   struct Places {

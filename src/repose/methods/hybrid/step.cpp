@@ -122,9 +122,9 @@ void Step::keep_touches() {
       if (!other.fixed()) velocity -= other.velocity;
     }
     deepest = std::max(deepest, overlap / pair.reach);
-    const double share = system_.share(pair);
-    touch.normal_force = share * pair.normal_force;
-    touch.tangential_force = share * (pair.friction_force + pair.well_force);
+    const double fraction = system_.fraction_of_step(pair);
+    touch.normal_force = fraction * pair.normal_force;
+    touch.tangential_force = fraction * (pair.friction_force + pair.well_force);
     if (pair.at_wall()) {
       Vec<2> on_wall = force;
       if (body.pinned) {
