@@ -97,9 +97,10 @@ SoftSystem make_system(const HybridSettings& settings) {
   return system;
 }
 
-Solved solve(const HybridSettings& settings, DirectSolver& solver, SoftSystem& system, bool definite) {
-  if (settings.by_sweeps) return solve_by_sweeps(system, settings.tolerance, settings.relaxation);
-  return solver.solve(system, settings.tolerance, definite);
+Solved solve(const HybridSettings& settings, DirectSolver& solver, SoftSystem& system, double tolerance,
+             bool definite) {
+  if (settings.by_sweeps) return solve_by_sweeps(system, tolerance, settings.relaxation);
+  return solver.solve(system, tolerance, definite);
 }
 
 }  // namespace repose::hybrid

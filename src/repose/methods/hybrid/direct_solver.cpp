@@ -198,7 +198,11 @@ Solved DirectSolver::solve(SoftSystem& system, double tolerance, bool definite) 
       matrix_->fill(system);
       matrix_->factors.factorize(matrix_->lower);
       if (matrix_->factors.info() != Eigen::Success) return solved;
-      if (definite && matrix_->factors.vectorD().minCoeff() <= 0.0) return solved;
+      if (definite && matrix_->factors.vectorD().minCoeff() <= 0.0) {
+        if (system.straight) return solved;
+        system.straight = true;
+        continue;
+      }
       fresh = true;
     }
     ++solved.iterations;

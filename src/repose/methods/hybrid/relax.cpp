@@ -10,7 +10,9 @@ namespace repose::hybrid {
 namespace {
 
 constexpr long most_descents = 3000;
-constexpr double growth = 4.0;
+constexpr double most_growth = 4.0;
+constexpr double least_growth = 1.2;
+constexpr double loose = 1e-2;     // residual of a step of descent over the net forces that it begins with
 constexpr double farthest = 0.05;  // radii that a grain may move in one step of descent
 constexpr double shortest = 1e-8;  // [T of a time step]
 
@@ -81,12 +83,15 @@ Relaxed relax(const Surroundings& around, Grains<2>& grains, Touches& touches, S
       one.rolled = 0.0;
     }
     gather_pairs(around, grains, touches, body, system);
-    const auto solved = solve(settings, solver, system, true);
+    system.straight = false;
+    const double tolerance = std::max(settings.tolerance, loose * std::min(1.0, progress.left));
+    const auto solved = solve(settings, solver, system, tolerance, true);
     account.iterations += solved.iterations;
     const bool near = std::all_of(system.bodies.begin(), system.bodies.end(),
                                   [&](const auto& one) { return magnitude(one.moved) <= farthest * one.radius; });
     if (!solved.converged || !near) {
-      progress.length /= growth;
+      progress.length /= most_growth;
+      progress.growth = std::max(least_growth, std::sqrt(progress.growth));
       if (solved.worst != nobody) progress.worst = system.bodies[solved.worst].grain;
       if (progress.length < shortest * settings.time_step) return Relaxed::failed;
       continue;
@@ -97,15 +102,17 @@ Relaxed relax(const Surroundings& around, Grains<2>& grains, Touches& touches, S
       line.velocity = {};
       line.rim_velocity = 0.0;
     }
-    const double left = left_over(system, progress.worst);
+    const double left = left_over(system, progress.worst) + solved.residual;
+    progress.left = left;
     if (left <= settings.tolerance) {
       const bool broke = touches_at_rest(around, grains, system, touches);
-      account.worst_residual = std::max(account.worst_residual, left + solved.residual);
+      account.worst_residual = std::max(account.worst_residual, left);
       if (!broke) return Relaxed::done;
       progress.length = settings.time_step;
       continue;
     }
-    progress.length *= growth;
+    progress.length *= progress.growth;
+    progress.growth = std::min(most_growth, 1.3 * progress.growth);
     const auto stays = [](std::uint32_t) { return 0.0; };
     if (!around.near.holds(grains, stays)) return Relaxed::moved_far;
   }

@@ -16,6 +16,8 @@ enum class Relaxed {
 struct Relaxation {
   double length = 0.0;  ///< [T] of the next step of descent
   long steps = 0;       ///< so far
+  double growth = 4.0;  ///< of the length, from step to step
+  double left = 1.0;    ///< [weight] largest net force so far
   std::uint32_t worst = nobody;
 };
 

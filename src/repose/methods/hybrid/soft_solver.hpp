@@ -29,7 +29,7 @@ class DirectSolver {
   DirectSolver& operator=(DirectSolver&&) noexcept;
 
   /// Solves to a residual of `tolerance` [weight], from the displacements that the bodies have. Without `definite`, the
-  /// matrix may have negative directions; with it, such a matrix is a failure.
+  /// matrix may have negative directions; with it, a matrix that has is replaced by that of straight forces.
   Solved solve(SoftSystem& system, double tolerance, bool definite = false);
 
  private:

@@ -18,6 +18,7 @@ Vec<2> unit(const Vec<2>& a) { return a * (1.0 / std::max(magnitude(a), std::num
 void SoftSystem::begin(double length) {
   step = length;
   statics = false;
+  straight = false;
   bodies.clear();
   pairs.clear();
 }
@@ -106,7 +107,7 @@ PairSlopes SoftSystem::slopes(const SoftPair& pair) const {
   Symmetric after;
   const auto add = [&](Symmetric& to, double by, const Vec<2>& normal) {
     to.add(at.along, normal, part * by);
-    if (pair.at_wall()) return;
+    if (pair.at_wall() || straight) return;
     const double turn = part * mean.force / (at.distance_before + at.distance_after);
     to.add(at.along, normal, turn);
     to.xx -= turn;

@@ -86,6 +86,7 @@ struct SoftSystem {
   double step = 0.0;    ///< [T] forces in residuals are means over it
   double weight = 1.0;  ///< [M L/T^2] unit of residuals
   bool statics = false;
+  bool straight = false;  ///< slopes leave out that forces turn with their contacts, which alone can make them negative
 
   /// Begins a step of a length [T] without bodies and pairs; their memory is used again.
   void begin(double length);

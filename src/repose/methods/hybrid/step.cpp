@@ -69,7 +69,7 @@ void Step::add_body(std::uint32_t grain, double time) {
 
 bool Step::solve() {
   outdated_ = false;
-  const auto solved = hybrid::solve(settings_, solver_, system_, false);
+  const auto solved = hybrid::solve(settings_, solver_, system_, settings_.tolerance, false);
   account.iterations += solved.iterations;
   if (solved.converged) {
     account.worst_residual = std::max(account.worst_residual, solved.residual);

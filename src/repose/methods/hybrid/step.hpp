@@ -43,7 +43,7 @@ void gather_pairs(const Surroundings& around, const Grains<2>& grains, const Tou
 std::vector<std::uint32_t> bodies_of(const Grains<2>& grains, const SoftSystem& system);
 
 SoftSystem make_system(const HybridSettings& settings);
-Solved solve(const HybridSettings& settings, DirectSolver& solver, SoftSystem& system, bool definite);
+Solved solve(const HybridSettings& settings, DirectSolver& solver, SoftSystem& system, double tolerance, bool definite);
 
 /// A wall, or a grain at rest, as a partner.
 inline std::uint32_t wall_of(std::int64_t partner) { return static_cast<std::uint32_t>(-1 - partner); }
