@@ -4,6 +4,7 @@
 
 #include "repose/boundaries/wall.hpp"
 #include "repose/core/archive.hpp"
+#include "repose/core/collision_account.hpp"
 #include "repose/core/contacts.hpp"
 #include "repose/core/energy.hpp"
 #include "repose/core/grains.hpp"
@@ -13,6 +14,7 @@
 #include "repose/methods/wall_crossings.hpp"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace repose {
@@ -92,6 +94,12 @@ class Method {
 
   /// Work of the solver since the last call, which this call resets; empty for a method without a solver.
   virtual SolverAccount take_solver_account() { return {}; }
+
+  /// Collisions and switches since the last call, which this call resets; empty for a method that does not count them.
+  virtual CollisionAccount take_collision_account() { return {}; }
+
+  /// After trouble: what the method knows of it that places and velocities do not show; else empty.
+  virtual std::string trouble(const Grains<D>& /*grains*/) const { return {}; }
 
   /// The contact problem of the step that begins at a time [T], not yet solved. The time is that of the grains, and
   /// contacts start from the slip displacements of `set_slip_displacements`. Null for a method that poses no contact

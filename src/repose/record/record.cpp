@@ -67,6 +67,12 @@ std::vector<RecordedWall> walls_at(const Record& record, double time) {
   return recorded_walls(record.scene, states, time);
 }
 
+CollisionAccount collision_account(const Record& record) {
+  CollisionAccount all;
+  for (const auto& row : record.series) all += row.collisions;
+  return all;
+}
+
 SolverAccount solver_account(const Record& record) {
   SolverAccount all;
   for (const auto& row : record.series) all += row.solver;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "repose/analysis/base_profile.hpp"
+#include "repose/core/collision_account.hpp"
 #include "repose/core/contacts.hpp"
 #include "repose/core/energy.hpp"
 #include "repose/core/ordered_grains.hpp"
@@ -41,6 +42,7 @@ struct SeriesRow {
   double max_overlap = 0.0;               ///< over the mean diameter of the pair
   Energy energy{};                        ///< all 0 unless the scene asks for the account
   SolverAccount solver{};                 ///< since the row before, of contact dynamics
+  CollisionAccount collisions{};          ///< since the row before, of the hybrid method
   double creep_rate = 0.0;                ///< [L/T] median speed of grains that touch something, of contact dynamics
 };
 
@@ -85,5 +87,8 @@ std::vector<RecordedWall> walls_at(const Record& record, double time);
 
 /// What the solver did from the start to the last row of the series.
 SolverAccount solver_account(const Record& record);
+
+/// What collided and turned soft from the start to the last row of the series.
+CollisionAccount collision_account(const Record& record);
 
 }  // namespace repose

@@ -101,6 +101,7 @@ void write_record(const std::string& path, const Record& record, const std::vect
   if (!record.wall_series.empty()) write_columns(file, "series", wall_series_columns(), record);
   if (record.scene.output.energy) write_group(file, energy_group(), record.series);
   if (record.scene.method->solver() != nullptr) write_group(file, solver_group(), record.series);
+  if (record.scene.method->traits().collides) write_group(file, collision_group(), record.series);
   if (!record.base.x.empty()) write_group(file, base_group(), record.base);
   file.external_link("analysis", "analysis.h5", "/");
   const auto link = [&](const std::string& group, const std::vector<std::string>& names) {
@@ -181,6 +182,7 @@ Record read_record(const std::string& folder) {
   const auto rows = record.series.size();
   if (record.scene.output.energy) read_group(file, energy_group(), record.series, rows);
   if (record.scene.method->solver() != nullptr) read_group(file, solver_group(), record.series, rows);
+  if (record.scene.method->traits().collides) read_group(file, collision_group(), record.series, rows);
   record.base = read_base(file);
   if (file.has("track")) {
     for (const auto& name : file.names_in("track")) {

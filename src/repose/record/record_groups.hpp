@@ -24,9 +24,10 @@ const Group<std::vector<RecordedWall>>& wall_group();
 const Group<std::vector<SeriesRow>>& series_group();
 const Columns<Record>& wall_series_columns();
 
-/// The energy budget and what the solver did, row by row of the time series.
+/// The energy budget, what the solver did and what collided, row by row of the time series.
 const Group<std::vector<SeriesRow>>& energy_group();
 const Group<std::vector<SeriesRow>>& solver_group();
+const Group<std::vector<SeriesRow>>& collision_group();
 
 const Group<BaseProfile>& base_group();
 

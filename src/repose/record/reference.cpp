@@ -34,6 +34,7 @@ std::vector<ReferenceTable> run_folder_reference() {
       reference_of("series of walls", "/series/", "R", wall_series_columns()),
       with_paths(energy_group()),
       with_paths(solver_group()),
+      with_paths(collision_group()),
       reference_of("base", base_group().attributes),
       with_paths(base_group()),
       track_table(),

@@ -55,6 +55,13 @@ Column<std::vector<SeriesRow>> solver_column(const std::string& name, Value Solv
       name, [=](auto& row) -> auto& { return row.solver.*entry; }, unit, meaning + ", since the row before");
 }
 
+template <class Value>
+Column<std::vector<SeriesRow>> collision_column(const std::string& name, Value CollisionAccount::*entry,
+                                                const std::string& unit, const std::string& meaning) {
+  return column<SeriesRow>(
+      name, [=](auto& row) -> auto& { return row.collisions.*entry; }, unit, meaning + ", since the row before");
+}
+
 /// Time again, beside what belongs to it.
 Column<std::vector<SeriesRow>> time_column(const std::string& meaning) {
   return column<SeriesRow>(
@@ -131,6 +138,27 @@ const Group<std::vector<SeriesRow>>& energy_group() {
           column<SeriesRow>(
               "error", [](const SeriesRow& row) { return row.energy.error(); }, "M L^2/T^2",
               "stored, dissipated and lost, less what was put in"),
+      }};
+  return group;
+}
+
+const Group<std::vector<SeriesRow>>& collision_group() {
+  static const Group<std::vector<SeriesRow>> group{
+      "collisions",
+      "R",
+      {},
+      {
+          time_column("of the rows"),
+          collision_column("steps", &CollisionAccount::steps, "", "time steps, each part of a divided one counted"),
+          collision_column("hard", &CollisionAccount::hard, "", "hard collisions"),
+          collision_column("softened", &CollisionAccount::softened, "", "contacts that turned soft"),
+          collision_column("hardened", &CollisionAccount::hardened, "", "soft contacts that ended"),
+          collision_column("iterations", &CollisionAccount::iterations, "",
+                           "steps of Newton's method, or sweeps, in implicit steps"),
+          collision_column("halved", &CollisionAccount::halved, "",
+                           "implicit steps without a solution, repeated as two halves"),
+          collision_column("residual", &CollisionAccount::worst_residual, "grain weights",
+                           "worst residual force of a grain"),
       }};
   return group;
 }

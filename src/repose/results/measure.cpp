@@ -17,6 +17,8 @@ bool has(const Scene& scene, Needs needs) {
       return scene.method->traits().has_forces();
     case Needs::solver:
       return scene.method->solver() != nullptr;
+    case Needs::collisions:
+      return scene.method->traits().collides;
     case Needs::deposition:
       return scene.method->sticking_angle().has_value();
   }

@@ -25,7 +25,7 @@ struct Measured {
 };
 
 /// What a method must have for a measure to mean anything.
-enum class Needs { nothing, forces, solver, deposition };
+enum class Needs { nothing, forces, solver, collisions, deposition };
 bool has(const Scene& scene, Needs needs);
 
 /// An object of summary.json: the measures whose names begin with its own are its keys.

@@ -17,6 +17,8 @@ std::string where(const Measure& measure) {
       return "";
     case Needs::forces:
       return "methods with forces";
+    case Needs::collisions:
+      return "methods with hard collisions";
     case Needs::solver:
       return "methods with a solver";
     case Needs::deposition:

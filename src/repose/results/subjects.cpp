@@ -18,6 +18,7 @@ void add_grain_stress(Registry& to);
 void add_packing(Registry& to);
 void add_packing_structure(Registry& to);
 void add_solver(Registry& to);
+void add_collisions(Registry& to);
 void add_state(Registry& to);
 
 // In the order of summary.json.
@@ -36,6 +37,7 @@ std::vector<Subject> subjects() {
       add_packing,            //
       add_packing_structure,  //
       add_solver,             //
+      add_collisions,         //
       add_state,              //
   };
 }

@@ -8,6 +8,7 @@
 #include "repose/scene/bases/row.hpp"
 #include "repose/scene/methods/contact_dynamics.hpp"
 #include "repose/scene/methods/deposition.hpp"
+#include "repose/scene/methods/hybrid.hpp"
 #include "repose/scene/methods/soft.hpp"
 #include "repose/scene/sources/at_start.hpp"
 #include "repose/scene/sources/drop.hpp"
@@ -17,7 +18,7 @@
 namespace repose {
 
 Kinds<MethodKind>& method_kinds() {
-  static Kinds<MethodKind> kinds{{SoftMethod{}, ContactDynamicsMethod{}, DepositionMethod{}}};
+  static Kinds<MethodKind> kinds{{SoftMethod{}, ContactDynamicsMethod{}, DepositionMethod{}, HybridMethod{}}};
   return kinds;
 }
 

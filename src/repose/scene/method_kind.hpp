@@ -25,6 +25,7 @@ struct MethodTraits {
   bool force_laws = false;     ///< contacts have laws of force, and explicit steps are judged by their stiffness
   bool impulse_laws = false;   ///< grains are rigid: contacts have the law of impulses
   bool keeps_energy = false;   ///< can keep the energy budget
+  bool collides = false;       ///< counts hard collisions and contacts that turn soft
   double contact_gap = 1e-9;   ///< [mean diameters] closer grains touch in a packing, unless the scene says otherwise
   double typical_speed = 1e7;  ///< grain-steps per second of one core, roughly
 

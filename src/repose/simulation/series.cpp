@@ -49,6 +49,7 @@ void Series::add_row(const Simulation& simulation, Method<2>& method) {
   row.lost = simulation.lost();
   add_walls(simulation, contacts, method);
   if (scene.output.energy) row.energy = method.energy(grains);
+  if (scene.method->traits().collides) row.collisions = method.take_collision_account();
   if (scene.method->solver() != nullptr) {
     row.solver = method.take_solver_account();
     row.creep_rate = median_speed(grains, supported(grains, contacts));

@@ -73,6 +73,8 @@ class Simulation {
 
   Status status() const { return status_; }
   const std::string& message() const { return message_; }  ///< why it stopped
+  /// After trouble: what the method knows of it; else empty.
+  std::string trouble_of_method() const { return method_->trouble(grains_); }
   double time() const { return method_->time(); }
   double time_step() const { return steps_.length; }  ///< [T] 0 where steps vary
   long steps() const { return taken_; }               ///< or events

@@ -19,6 +19,7 @@ std::string describe_trouble(const Simulation& simulation) {
   }
   const auto& grains = simulation.grains();
   std::vector<std::string> found;
+  if (const auto known = simulation.trouble_of_method(); !known.empty()) found.push_back(known);
   for (const auto k : by_id(grains)) {
     const auto& grain = grains.line[k];
     const double speed = magnitude(grain.velocity);
