@@ -17,23 +17,24 @@ namespace {
 /// The multiple of the pitch, shifted, that is nearest to x: where the hollows of the base row are.
 double snapped(double x, double shift, double pitch) { return std::round((x - shift) / pitch) * pitch + shift; }
 
-/// A triangular lattice pile whose lowest grains lie in the hollows of the base row, or side by side on a plane.
+/// A triangular lattice pile whose lowest grains lie in the hollows of the base row, belong to it, or lie side by side
+/// on a plane. Each grain has the place of one of the largest size.
 void add_pile(const LatticeSource& source, const Scene& scene, Grains<2>& grains, std::int64_t& id) {
   const double d = scene.grains.diameter;
   const double pitch = source.pitch(scene);
   const double rise = std::sqrt(d * d - 0.25 * pitch * pitch);
-  const bool nests = source.nests(scene);
-  const double lowest = nests ? rise : scene.base->height_on_top(scene, d);
-  // The grains of a row of even length lie at odd multiples of half a pitch about its middle, and so do hollows.
-  const double shift = source.rows % 2 == 1 ? 0.5 * pitch : 0.0;
-  const double middle = nests ? snapped(source.x, shift, pitch) : source.x;
-  for (std::int64_t row = 0; row < source.rows; ++row) {
-    const auto count = source.rows - row;
-    for (std::int64_t k = 0; k < count; ++k) {
-      auto grain = make_grain(scene, d);
-      grain.position[0] = middle + (static_cast<double>(k) - 0.5 * static_cast<double>(count - 1)) * pitch;
+  const double on_base = source.nests(scene) ? rise : scene.base->height_on_top(scene, d);
+  const double lowest = source.fixed_base ? 0.0 : on_base;
+  const double middle = source.middle(scene);
+  const auto counts = source.row_counts();
+  const GrainDraw draw(scene, Purpose::grain_species, Purpose::grain_size);
+  std::uint64_t index = 0;
+  for (std::size_t row = source.fixed_base ? 1 : 0; row < counts.size(); ++row) {
+    for (std::int64_t k = 0; k < counts[row]; ++k) {
+      auto [grain, material] = draw(index++);
+      grain.position[0] = middle + (static_cast<double>(k) - 0.5 * static_cast<double>(counts[row] - 1)) * pitch;
       grain.position[1] = lowest + static_cast<double>(row) * rise;
-      grains.add(grain, id++);
+      grains.add(grain, id++, false, material);
     }
   }
 }
