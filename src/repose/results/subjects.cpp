@@ -17,8 +17,8 @@ void add_fields(Registry& to);
 void add_grain_stress(Registry& to);
 void add_packing(Registry& to);
 void add_packing_structure(Registry& to);
-void add_solver(Registry& to);
 void add_collisions(Registry& to);
+void add_solver(Registry& to);
 void add_state(Registry& to);
 
 // In the order of summary.json.
@@ -36,8 +36,8 @@ std::vector<Subject> subjects() {
       add_grain_stress,       //
       add_packing,            //
       add_packing_structure,  //
-      add_solver,             //
       add_collisions,         //
+      add_solver,             //
       add_state,              //
   };
 }

@@ -16,7 +16,8 @@ namespace {
 using Numbers = Eigen::VectorXd;
 
 constexpr long most_newton_steps = 60;
-constexpr double quick = 0.1;  // a step that leaves less than this of the residual keeps its factorisation
+constexpr long most_of_descent = 20;  // a shorter step of descent is cheaper than more
+constexpr double quick = 0.1;         // a step that leaves less than this of the residual keeps its factorisation
 
 /// Residuals [weight] that rounding of places alone makes.
 double rounding_of(const SoftSystem& system) {
@@ -148,6 +149,13 @@ struct DirectSolver::Matrix {
     add(2, 2, slopes.drag_both);
   }
 
+  bool factorise(const SoftSystem& system) {
+    fill(system);
+    factors.factorize(lower);
+    return factors.info() == Eigen::Success;
+  }
+  bool is_definite() const { return factors.vectorD().minCoeff() > 0.0; }
+
   Numbers residuals(const SoftSystem& system) const {
     Numbers found(lower.rows());
     for (std::size_t k = 0; k < bodies; ++k) {
@@ -193,15 +201,13 @@ Solved DirectSolver::solve(SoftSystem& system, double tolerance, bool definite) 
       solved.converged = true;
       return solved;
     }
-    if (solved.iterations == most_newton_steps) return solved;
+    if (solved.iterations == (definite ? most_of_descent : most_newton_steps)) return solved;
     if (stale) {
-      matrix_->fill(system);
-      matrix_->factors.factorize(matrix_->lower);
-      if (matrix_->factors.info() != Eigen::Success) return solved;
-      if (definite && matrix_->factors.vectorD().minCoeff() <= 0.0) {
-        if (system.straight) return solved;
+      system.straight = false;
+      if (!matrix_->factorise(system)) return solved;
+      if (definite && !matrix_->is_definite()) {
         system.straight = true;
-        continue;
+        if (!matrix_->factorise(system) || !matrix_->is_definite()) return solved;
       }
       fresh = true;
     }

@@ -12,6 +12,7 @@ namespace {
 constexpr long most_descents = 3000;
 constexpr double most_growth = 4.0;
 constexpr double least_growth = 1.2;
+constexpr double shrink = 3.0;
 constexpr double loose = 1e-2;     // residual of a step of descent over the net forces that it begins with
 constexpr double farthest = 0.05;  // radii that a grain may move in one step of descent
 constexpr double shortest = 1e-8;  // [T of a time step]
@@ -83,14 +84,13 @@ Relaxed relax(const Surroundings& around, Grains<2>& grains, Touches& touches, S
       one.rolled = 0.0;
     }
     gather_pairs(around, grains, touches, body, system);
-    system.straight = false;
     const double tolerance = std::max(settings.tolerance, loose * std::min(1.0, progress.left));
     const auto solved = solve(settings, solver, system, tolerance, true);
     account.iterations += solved.iterations;
     const bool near = std::all_of(system.bodies.begin(), system.bodies.end(),
                                   [&](const auto& one) { return magnitude(one.moved) <= farthest * one.radius; });
     if (!solved.converged || !near) {
-      progress.length /= most_growth;
+      progress.length /= shrink;
       progress.growth = std::max(least_growth, std::sqrt(progress.growth));
       if (solved.worst != nobody) progress.worst = system.bodies[solved.worst].grain;
       if (progress.length < shortest * settings.time_step) return Relaxed::failed;
