@@ -3,7 +3,6 @@
 #include "repose/sweep/folder.hpp"
 
 #include "repose/core/errors.hpp"
-#include "repose/determinacy/force_range.hpp"
 #include "repose/io/folders.hpp"
 #include "repose/io/hdf5_file.hpp"
 #include "repose/io/hdf5_reader.hpp"
@@ -193,7 +192,7 @@ void SweepFolder::write(const SweepTable& table) const {
   write_text_file(path_ + "/response.json", response_json(responses));
 }
 
-std::size_t SweepFolder::analyse(bool with_force_range) const {
+std::size_t SweepFolder::analyse(const FurtherAnalysis& further) const {
   const FolderLock all(path_);
   std::size_t count = 0;
   for (const auto& member : members_) {
@@ -202,8 +201,7 @@ std::size_t SweepFolder::analyse(bool with_force_range) const {
     const auto folder = member_path(member);
     const FolderLock lock(folder);
     const auto record = read_record(folder);
-    auto results = repose::analyse(record);
-    if (with_force_range) results.force_range = force_range(record, results);
+    const auto results = repose::analyse(record, further);
     write_results(folder, lock, record, results);
     ++count;
   }
