@@ -29,6 +29,8 @@ def write_analysis(folder, grains, contacts, diameter, surface=True, track=True,
             write_voronoi(file.create_group("voronoi"), grains["id"][moving], centre[moving], diameter)
             write_forces(file.create_group("forces"))
             write_chains(file.create_group("chains"), contacts)
+            write_force_lines(file.create_group("force_lines"), grains, contacts)
+            write_stability(file.create_group("stability"), grains["id"][moving], centre[moving])
             write_grain_stress(file.create_group("grain_stress"), grains, diameter)
             write_fields(file.create_group("fields"), centre[moving], diameter)
         if track and moving.any():
@@ -116,6 +118,27 @@ def write_chains(group, contacts):
     direction = np.full(len(sizes), 60.0)
     columns = {"contacts": sizes, "grains": sizes + 1, "direction_deg": direction, "extent": extent, "chain": chain}
     write_group(group, columns)
+
+
+def write_force_lines(group, grains, contacts):
+    """By the forces of the contacts that have any; of grains that have such contacts."""
+    force = contacts["normal_force"]
+    rows = {}
+    for row in np.flatnonzero(force > 0.0):
+        for k in contacts["grains"][row]:
+            rows.setdefault(int(k), []).append(row)
+    ids = [int(k) for k, fixed in zip(grains["id"], grains["fixed"]) if not fixed and int(k) in rows]
+    strongest = np.array([max(rows[k], key=lambda row: force[row]) for k in ids])
+    weakest = np.array([min(rows[k], key=lambda row: force[row]) for k in ids])
+    columns = {"id": ids, "strongest": strongest, "weakest": weakest}
+    forces = {"strongest_force": force[strongest], "weakest_force": force[weakest]}
+    write_group(group, {**columns, **forces}, horizontal_within=15.0)
+
+
+def write_stability(group, ids, centre):
+    """An unstable mode that moves grains to the left, the more the higher they are."""
+    sway = centre[:, 1] / centre[:, 1].max()
+    write_group(group, {"id": ids, "displacement": np.column_stack([-sway, np.zeros(len(sway))])}, smallest=-2.5)
 
 
 def write_fields(group, centre, diameter):

@@ -17,6 +17,8 @@ PICTURE_OF = {
     "fields": ("stress", "there is no heap"),
     "forces": ("force_distribution", "no contact force exceeds analysis.force_threshold"),
     "chains": ("chains", "no contact force exceeds analysis.force_threshold"),
+    "force_lines": ("strongest", "no contact force exceeds analysis.force_threshold"),
+    "stability": ("stability", "its stability was not analysed .repose analyse DIR --stability."),
     "motion": ("avalanches", "the run recorded no track .output.track = 0."),
 }  # by group: the picture that needs it, and the reason why it is not drawn without
 

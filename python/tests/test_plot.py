@@ -26,11 +26,15 @@ NO_FORCE = "no contact force exceeds analysis.force_threshold"
 NO_TRACK = "the run recorded no track (output.track = 0)"
 NO_ROW = "the base is not a row of grains"
 FEW_ROWS = "the time series has fewer than two rows"
+NOT_ANALYSED = "its stability was not analysed (repose analyse DIR --stability)"
 NO_CONTACTS = {
     "density": "no contacts",
     "forces": "no contact carries a force",
     "chains": NO_FORCE,
+    "strongest": NO_FORCE,
+    "weakest": NO_FORCE,
     "force_distribution": NO_FORCE,
+    "stability": NOT_ANALYSED,
     "voronoi": "there is no heap",
     "stress": "there is no heap",
     "velocity": "there is no heap",

@@ -266,6 +266,42 @@ def test_chains_draw_the_contacts_of_each_in_its_colour(folder):
     assert histogram.get_xlim() == (0.0, 180.0)
 
 
+@pytest.mark.parametrize("name", ["strongest", "weakest"])
+def test_lines_of_force_are_the_contacts_of_the_analysis(folder, name):
+    """Each once, the horizontal ones in their own colour; the widest is that of the largest force."""
+    run, figure = drawn(folder, name)
+    contacts = run.state.contacts
+    rows = np.unique(run.analysis["force_lines"][name])
+    horizontal = np.abs(contacts.normal[rows, 1]) < 0.25
+    lines, widest = {}, 0.0
+    for part in of_kind(figure.axes[0], PathCollection):
+        if len(part.get_facecolor()) == 0:  # lines, not discs
+            count = sum(len(path.vertices) // 2 for path in part.get_paths())
+            colour = to_hex(part.get_edgecolor()[0])
+            lines[colour] = lines.get(colour, 0) + count
+            widest = max(widest, *part.get_linewidths())
+    expected = {style.INK: np.count_nonzero(~horizontal), style.ORANGE: np.count_nonzero(horizontal)}
+    assert {colour: lines.get(to_hex(colour), 0) for colour in expected} == expected
+    assert ("horizontal" in legend_of(figure)) == horizontal.any()
+    largest = contacts.normal_force[rows].max()
+    assert f"≥ {largest:.3g}" in legend_of(figure)
+    assert widest == max(handle.get_linewidth() for legend in figure.legends for handle in legend.get_lines())
+    assert f"{name} contact, in grain weights" in [text.get_text() for text in figure.texts]
+
+
+def test_stability_shows_the_mode_as_arrows(folder):
+    """Centred on the grains; small displacements have none."""
+    run, figure = drawn(folder, "stability")
+    (arrows,) = of_kind(figure.axes[0], Quiver)
+    mode = run.analysis["stability"]
+    long = np.abs(mode["displacement"][:, 0]) * 2.5 > 0.15
+    np.testing.assert_allclose(arrows.U, 2.5 * mode["displacement"][long, 0])
+    np.testing.assert_allclose(arrows.V, 0.0)
+    centre = run.state.grains.position[run.state.rows(mode["id"])][long]
+    np.testing.assert_allclose(arrows.XY + 0.5 * np.column_stack([arrows.U, arrows.V]), centre)
+    assert legend_of(figure) == ["unstable: -2.5 grain weights per diameter"]
+
+
 def test_avalanches_show_sizes_angles_and_depth(folder):
     run, figure = drawn(folder, "avalanches")
     moved, angles, depth = figure.axes
@@ -296,7 +332,7 @@ def test_track_without_an_avalanche(folder):
     assert legend_of(figure.axes[0]) == ["moved in one interval"]
 
 
-@pytest.mark.parametrize("name", ["heap", "forces", "chains", "voronoi", "stress"])
+@pytest.mark.parametrize("name", ["heap", "forces", "chains", "strongest", "weakest", "stability", "voronoi", "stress"])
 @pytest.mark.parametrize("moving", [pyramid(3), pyramid(12)], ids=["small", "large"])
 def test_legends_stay_within_the_figure(tmp_path, name, moving):
     _, figure = drawn(write_run(tmp_path / "run", moving, base_row(20)), name)

@@ -54,6 +54,8 @@ def test_the_reference_names_every_key_that_scenes_have():
         for table, key in keys_of(said("scene", kind)):
             top, *below = table.split(".")
             section = tables.get(f"[{top}]") or tables.get(f"[[{top}]]") or tables["outside tables"]
+            if top == "pair":
+                section += tables["[contact]"]  # whose laws a pair may have too
             name = ".".join([*below, key])
             assert f"| `{name}` |" in section, (kind, table, key)
             seen.add((table, key))

@@ -12,7 +12,7 @@
 namespace repose {
 namespace {
 
-Contact<2> contact(double force, double normal_deg, bool sliding = false) {
+Contact<2> contact_at(double force, double normal_deg, bool sliding = false) {
   Contact<2> c;
   const double angle = normal_deg * std::numbers::pi / 180.0;
   c.normal = {{std::cos(angle), std::sin(angle)}};
@@ -26,7 +26,7 @@ Contacts<2> exponential_forces(std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) {
     const double fraction = uniform(5, Purpose::grain_size, k);
     const double angle = 360.0 * uniform(6, Purpose::grain_size, k);
-    contacts.list.push_back(contact(-3.0 * std::log(1.0 - fraction), angle));
+    contacts.list.push_back(contact_at(-3.0 * std::log(1.0 - fraction), angle));
   }
   return contacts;
 }
@@ -42,8 +42,8 @@ double integral(const std::vector<double>& density, double bin_width) {
 // four numbers.
 TEST(ForceStatisticsExact, HandMade) {
   Contacts<2> contacts;
-  contacts.list = {contact(0.25, 180.0), contact(2.75, -85.0), contact(0.25, 95.0, true), contact(0.75, 33.0),
-                   contact(0.125, 33.0, true)};
+  contacts.list = {contact_at(0.25, 180.0), contact_at(2.75, -85.0), contact_at(0.25, 95.0, true),
+                   contact_at(0.75, 33.0), contact_at(0.125, 33.0, true)};
   // An axis just below the horizontal counts as horizontal.
   contacts.list[0].normal = {{1.0, -1e-18}};
   const auto statistics = measure_force_statistics(contacts, 0.125);
@@ -74,7 +74,7 @@ TEST(ForceStatisticsExact, HandMade) {
 TEST(ForceStatisticsExact, AxesOfLatticesAreNoEdges) {
   for (int axis = 0; axis < 180; axis += 15) {
     Contacts<2> contacts;
-    for (const double off : {-1e-9, 0.0, 1e-9}) contacts.list.push_back(contact(1.0, axis + off));
+    for (const double off : {-1e-9, 0.0, 1e-9}) contacts.list.push_back(contact_at(1.0, axis + off));
     const auto statistics = measure_force_statistics(contacts, 0.0);
     ASSERT_TRUE(statistics);
     for (std::size_t k = 0; k < 36; ++k) {
@@ -135,10 +135,10 @@ TEST(ForceStatisticsExact, ExponentialForces) {
 // A failed run may leave forces that are not numbers. They do not count.
 TEST(ForceStatisticsExact, ForcesThatAreNotNumbers) {
   Contacts<2> contacts;
-  contacts.list = {contact(std::numeric_limits<double>::infinity(), 0.0)};
+  contacts.list = {contact_at(std::numeric_limits<double>::infinity(), 0.0)};
   EXPECT_FALSE(measure_force_statistics(contacts, 0.0));
-  contacts.list.push_back(contact(std::numeric_limits<double>::quiet_NaN(), 0.0));
-  contacts.list.push_back(contact(2.0, 0.0));
+  contacts.list.push_back(contact_at(std::numeric_limits<double>::quiet_NaN(), 0.0));
+  contacts.list.push_back(contact_at(2.0, 0.0));
   const auto statistics = measure_force_statistics(contacts, 0.0);
   ASSERT_TRUE(statistics);
   EXPECT_EQ(statistics->mean, 2.0);
@@ -147,7 +147,7 @@ TEST(ForceStatisticsExact, ForcesThatAreNotNumbers) {
 // None of ten equal forces is above their mean, independently of the rounding of a sum of tenths.
 TEST(ForceStatisticsExact, EqualForcesAreNotStrong) {
   Contacts<2> contacts;
-  for (int k = 0; k < 10; ++k) contacts.list.push_back(contact(1.0, 45.0));
+  for (int k = 0; k < 10; ++k) contacts.list.push_back(contact_at(1.0, 45.0));
   const auto statistics = measure_force_statistics(contacts, 0.0);
   ASSERT_TRUE(statistics);
   EXPECT_EQ(statistics->mean, 1.0);

@@ -5,9 +5,9 @@
 #include "repose/cli/say.hpp"
 #include "repose/cli/verbs.hpp"
 #include "repose/core/errors.hpp"
-#include "repose/determinacy/force_range.hpp"
 #include "repose/io/folders.hpp"
 #include "repose/record/record_file.hpp"
+#include "repose/run_folder/further_analysis.hpp"
 #include "repose/run_folder/run_folder.hpp"
 #include "repose/scene/toml_file.hpp"
 #include "repose/sweep/folder.hpp"
@@ -21,14 +21,14 @@ namespace {
 
 struct AnalyseOptions {
   std::string folder;
-  bool force_range = false;
+  FurtherAnalysis further;
   bool quiet = false;
 };
 
 int act(const AnalyseOptions& options) {
   if (SweepFolder::is_one(options.folder)) {
     SweepFolder sweep(options.folder);
-    const auto members = sweep.analyse(options.force_range);
+    const auto members = sweep.analyse(options.further);
     if (!options.quiet) say("analysed         {} members; wrote the tables of {}\n", members, options.folder);
     return 0;
   }
@@ -38,8 +38,7 @@ int act(const AnalyseOptions& options) {
     complain("{}/scene.toml: has changed since the run; the analysis uses its [analysis] as it stands now\n",
              options.folder);
   }
-  auto results = analyse(record);
-  if (options.force_range) results.force_range = force_range(record, results);
+  const auto results = analyse(record, options.further);
   write_results(options.folder, lock, record, results);
   if (!options.quiet) say("{}", describe_result(record, results));
   return 0;
@@ -58,7 +57,10 @@ Verb analyse_verb() {
       .arguments = {folder_argument(options->folder, "Run folder or sweep folder"),
                     {.name = "--force-range",
                      .about = "Also find which base forces equilibrium allows at the places of rigid grains",
-                     .target = &options->force_range},
+                     .target = &options->further.force_range},
+                    {.name = "--stability",
+                     .about = "Also find the smallest eigenvalue of the stiffness matrix of grains at rest",
+                     .target = &options->further.stability},
                     quiet_argument(options->quiet)},
       .examples = {{"repose analyse heap", "Analyse the run in the folder heap again"},
                    {"repose run examples/heap-cd.toml --out rigid-heap", "Pour a heap of rigid grains"},

@@ -74,6 +74,14 @@ std::string describe_packing(const Packing& packing) {
   return text;
 }
 
+std::string describe_stability(const Stability& found) {
+  if (!found.problem.empty()) return fmt::format("stability        unknown: {}\n", found.problem);
+  return fmt::format(
+      "stability        smallest eigenvalue {:.4g} grain weights per diameter, {:.3g} of the mean stiffness;\n"
+      "                 {} negative and {} neutral of {}\n",
+      found.smallest, found.relative, found.negative, found.neutral, found.directions);
+}
+
 std::string describe_force_range(const ForceRange& range) {
   if (!range.problem.empty()) return fmt::format("force range      none: {}\n", range.problem);
   std::string text = fmt::format("force range      {} unknowns, {} equations: {} forces are left open\n",
@@ -240,6 +248,7 @@ std::string describe_result(const Record& record, const Results& results) {
   text += fmt::format("deepest overlap  {:.4f} diameters\n", results.max_overlap);
   if (results.dip) text += fmt::format("dip index        {:.3f}\n", results.dip->index);
   if (results.force_range) text += describe_force_range(*results.force_range);
+  if (results.stability) text += describe_stability(*results.stability);
   if (!results.motion.rows.empty()) {
     text += fmt::format("avalanches       {} of at least {} grains in {} intervals\n", results.motion.avalanches.size(),
                         record.scene.analysis.avalanche, results.motion.rows.size());

@@ -189,6 +189,7 @@ Results analyse(const Record& record) {
                               scene.analysis.core_depth, core_above_base * scene.grains.diameter, threshold);
   results.forces = measure_force_statistics(contacts, threshold);
   results.chains = find_chains(grains, contacts, threshold, box);
+  results.force_lines = find_force_lines(record.grains, contacts, threshold);
   results.fields = coarse_grained(record.grains, contacts, in_heap, box, field_settings(record, threshold));
   if (mass > 0.0 && !results.fields.density.empty()) {
     double sum = 0.0;

@@ -6,6 +6,7 @@
 #include "repose/analysis/chains.hpp"
 #include "repose/analysis/core_region.hpp"
 #include "repose/analysis/fields.hpp"
+#include "repose/analysis/force_lines.hpp"
 #include "repose/analysis/force_network.hpp"
 #include "repose/analysis/force_statistics.hpp"
 #include "repose/analysis/grain_stress.hpp"
@@ -15,6 +16,7 @@
 #include "repose/analysis/voronoi.hpp"
 #include "repose/record/record.hpp"
 #include "repose/results/force_range.hpp"
+#include "repose/results/stability.hpp"
 #include "repose/results/wall_forces.hpp"
 
 #include <cstdint>
@@ -41,6 +43,7 @@ struct Results {
   CoreRegion core;
   std::optional<ForceStatistics> forces;
   Chains chains;
+  ForceLines force_lines;
   Fields fields;
   std::optional<double> field_weight_error;  ///< integral of the density field over the mass of the heap, less 1
   Motion motion;
@@ -49,6 +52,7 @@ struct Results {
   std::vector<std::int64_t>
       neighbours;  ///< touching grains of each grain, by its place in the record, with the packing
   std::optional<ForceRange> force_range;  ///< where it was asked for; `analyse` leaves it out
+  std::optional<Stability> stability;     ///< likewise
   std::int64_t breaking_rule = 0;         ///< deposited discs that do not rest by the critical-angle rule
 };
 

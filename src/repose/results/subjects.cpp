@@ -9,9 +9,11 @@ void add_run(Registry& to);
 void add_network(Registry& to);
 void add_heap(Registry& to);
 void add_forces(Registry& to);
+void add_force_lines(Registry& to);
 void add_motion(Registry& to);
 void add_base(Registry& to);
 void add_force_range(Registry& to);
+void add_stability(Registry& to);
 void add_walls(Registry& to);
 void add_fields(Registry& to);
 void add_grain_stress(Registry& to);
@@ -28,9 +30,11 @@ std::vector<Subject> subjects() {
       add_network,            //
       add_heap,               //
       add_forces,             //
+      add_force_lines,        //
       add_motion,             //
       add_base,               //
       add_force_range,        //
+      add_stability,          //
       add_walls,              //
       add_fields,             //
       add_grain_stress,       //

@@ -3,7 +3,6 @@
 #include "repose/sweep/folder.hpp"
 
 #include "repose/core/errors.hpp"
-#include "repose/determinacy/force_range.hpp"
 #include "repose/io/folders.hpp"
 #include "repose/io/hdf5_file.hpp"
 #include "repose/io/hdf5_reader.hpp"
@@ -193,10 +192,10 @@ void SweepFolder::write(const SweepTable& table) const {
   write_text_file(path_ + "/response.json", response_json(responses));
 }
 
-std::size_t SweepFolder::analyse(bool with_force_range) const {
+std::size_t SweepFolder::analyse(const FurtherAnalysis& further) const {
   const FolderLock all(path_);
   const auto rigid = [](const auto& point) { return point.scene.method->solver() != nullptr; };
-  if (with_force_range && std::none_of(plan_.points.begin(), plan_.points.end(), rigid)) {
+  if (further.force_range && std::none_of(plan_.points.begin(), plan_.points.end(), rigid)) {
     throw InputError(
         fmt::format("{}: no force range: only rigid grains have one, and no point is of contact-dynamics", path_));
   }
@@ -207,10 +206,10 @@ std::size_t SweepFolder::analyse(bool with_force_range) const {
     const auto folder = member_path(member);
     const FolderLock lock(folder);
     const auto record = read_record(folder);
-    auto results = repose::analyse(record);
     // A sweep may compare methods, of which only that of rigid grains has a range.
-    if (with_force_range && record.scene.method->solver() != nullptr)
-      results.force_range = force_range(record, results);
+    auto of_member = further;
+    of_member.force_range &= record.scene.method->solver() != nullptr;
+    const auto results = repose::analyse(record, of_member);
     write_results(folder, lock, record, results);
     ++count;
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "repose/io/folders.hpp"
+#include "repose/run_folder/further_analysis.hpp"
 #include "repose/sweep/plan.hpp"
 #include "repose/sweep/table.hpp"
 
@@ -53,7 +54,7 @@ class SweepFolder {
   void write(const SweepTable& table) const;
   /// Analyses every member again, on request with its force range, and writes the tables. Returns the number of
   /// members.
-  std::size_t analyse(bool with_force_range = false) const;
+  std::size_t analyse(const FurtherAnalysis& further = {}) const;
 
  private:
   std::string path_;

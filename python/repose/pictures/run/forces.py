@@ -3,17 +3,14 @@
 """Force network: a line between the centres of each pair in contact, its width proportional to the normal force."""
 
 import numpy as np
-from matplotlib.lines import Line2D
 
 from repose import style
 from repose.errors import NotDrawn
 from repose.pictures.run.common_axes import largest_force, sizes_of_forces
+from repose.pictures.run.force_widths import add_forces, handle_of_force, levels_of, scale_of_forces, widest_line
 from repose.pictures.run.grain_panel import make_panel
 from repose.pictures.run.legends import legend_above
-from repose.pictures.run.shapes import add_discs, add_lines, add_walls, centre_lines
-
-WIDEST = 0.5  # grain diameters
-LEVELS = 32  # of line width; lines below half a level are left out
+from repose.pictures.run.shapes import add_discs, add_walls, centre_lines
 
 
 def draw(run, state):
@@ -32,20 +29,16 @@ def draw(run, state):
     add_discs(panel, run, state, ~held, facecolor="#eff1f4", edgecolor="#d3d8df", linewidth=0.25)
     add_discs(panel, run, state, held, facecolor=style.FAINT, edgecolor="white", linewidth=0.25)
 
-    widest = WIDEST * run.attributes["grain_diameter"] * panel.points_per_length
-    level = np.round(LEVELS * np.minimum(size / largest, 1.0)).astype(int)
+    widest = widest_line(run, panel)
+    level = levels_of(size, largest)
     handles = []
     for chosen, colour, name in _kinds(force, state.contacts.sliding):
-        for k in range(1, LEVELS + 1):
-            drawn = (chosen & (level == k))[contact]
-            if drawn.any():
-                add_lines(panel, lines[drawn], widest * k / LEVELS, colour)
+        drawn = chosen[contact]
+        add_forces(panel, lines[drawn], level[contact][drawn], widest, colour)
         if (chosen & (level > 0)).any() and name:
-            handles.append(_handle(colour, 0.4 * widest, name))
-    scale = [_handle(style.INK, widest * part / largest, f"{part:g}") for part in _round_steps(largest)]
-    scale.append(_handle(style.INK, widest, f"≥ {largest:.3g}"))
+            handles.append(handle_of_force(colour, 0.4 * widest, name))
     title = "normal force in grain weights" if weight > 0.0 else "normal force"
-    legend_above(panel, scale + handles, title)
+    legend_above(panel, scale_of_forces(largest, widest) + handles, title)
     return panel.figure
 
 
@@ -58,13 +51,3 @@ def _kinds(force, sliding):
         (attractive, style.BLUE, "attractive"),
     )
 
-
-def _handle(colour, width, name):
-    return Line2D([], [], color=colour, linewidth=width, solid_capstyle="butt", label=name)
-
-
-def _round_steps(largest):
-    """Three values of the sequence 1, 2, 5, 10, ... below `largest`, ascending."""
-    power = np.floor(np.log10(largest))
-    sequence = [step * 10.0 ** (power + k) for k in (-1, 0) for step in (1, 2, 5)]
-    return [value for value in sequence if value <= 0.8 * largest][-3:]

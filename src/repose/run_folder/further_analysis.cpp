@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/run_folder/further_analysis.hpp"
+
+#include "repose/determinacy/force_range.hpp"
+#include "repose/stability/stability.hpp"
+
+namespace repose {
+
+Results analyse(const Record& record, const FurtherAnalysis& further) {
+  auto results = analyse(record);
+  if (further.force_range) results.force_range = force_range(record, results);
+  if (further.stability) results.stability = stability(record);
+  return results;
+}
+
+}  // namespace repose

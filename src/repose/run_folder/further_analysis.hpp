@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/record/record.hpp"
+#include "repose/results/results.hpp"
+
+namespace repose {
+
+/// What an analysis can be asked for that takes longer than all the rest of it.
+struct FurtherAnalysis {
+  bool force_range = false;  ///< determinacy/force_range.hpp
+  bool stability = false;    ///< stability/stability.hpp
+};
+
+/// The analysis of a record, with that. Throws InputError where the record has no force range.
+Results analyse(const Record& record, const FurtherAnalysis& further);
+
+}  // namespace repose
