@@ -4,6 +4,8 @@
 
 #include "repose/stability/stiffness_matrix.hpp"
 
+// Eigen's prefetch needs an optimising compiler, and tests are compiled without optimisation.
+#define EIGEN_DONT_VECTORIZE
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
