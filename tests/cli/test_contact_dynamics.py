@@ -4,13 +4,13 @@
 
 import signal
 import subprocess
-import time
 
 import h5py
 import numpy as np
 import pytest
 
 from conftest import PROGRAM, Grains, Laboratory, summary, text_attribute
+from interruption import wait_until
 
 SEQUENTIAL = """
 [method]

@@ -20,7 +20,7 @@ auto angle_of(Flank side) {
 
 std::optional<double> mean_angle(const Measured& run) {
   const auto& heap = run.results.heap;
-  if (!heap.left || !heap.right || !heap.falls_off) return std::nullopt;
+  if (!heap.left || !heap.right) return std::nullopt;
   return 0.5 * (heap.left->angle_deg + heap.right->angle_deg);
 }
 
@@ -105,9 +105,7 @@ void add_heap(Registry& to) {
               [](const Measured&) { return Object{}; }));
   add(measure("angle_of_repose_deg.left", "deg", "of the line through the left flank", angle_of(&HeapShape::left)));
   add(measure("angle_of_repose_deg.right", "deg", "of the line through the right flank", angle_of(&HeapShape::right)));
-  add(measure("angle_of_repose_deg.mean", "deg",
-              "mean of left and right; null unless the surface falls below half of its height at both ends",
-              mean_angle));
+  add(measure("angle_of_repose_deg.mean", "deg", "mean of left and right", mean_angle));
   add(measure("angle_of_repose_deg.moments", "deg",
               "atan(<y>/<abs(x - <x>)>); null unless the surface falls below half of its height at both ends",
               [](const Measured& run) { return run.results.heap.moments_angle_deg; }));
