@@ -2,12 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/eigen.hpp"
 #include "repose/stability/stiffness_matrix.hpp"
-
-// Eigen's prefetch needs an optimising compiler, and tests are compiled without optimisation.
-#define EIGEN_DONT_VECTORIZE
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
 
 #include <cmath>
 #include <cstddef>

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/core/eigen.hpp"
 #include "repose/stability/spectrum.hpp"
 #include "repose/stability/stiffness_matrix.hpp"
 #include "support/discs.hpp"

@@ -28,7 +28,7 @@ std::vector<RecordedWall> recorded_walls(const Scene& scene, const std::vector<W
   const auto now = walls_at(walls, states, time);
   std::vector<RecordedWall> recorded;
   for (std::size_t w = 0; w < walls.size(); ++w) {
-    recorded.push_back({names[w], walls[w].point, walls[w], !now[w].present});
+    recorded.push_back({names[w], walls[w].point, walls[w], !now[w].present, false, {}});
     recorded.back().wall.point = now[w].point;
     recorded.back().wall.normal = now[w].normal;
     recorded.back().rotates = walls[w].motion.kind == WallMotion<2>::Kind::rotation;

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/stability/spectrum.hpp"
 
+#include "repose/core/eigen.hpp"
 #include "repose/core/errors.hpp"
-
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>

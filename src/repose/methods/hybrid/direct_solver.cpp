@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/core/eigen.hpp"
 #include "repose/core/grains.hpp"
 #include "repose/methods/hybrid/soft_solver.hpp"
-
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>
