@@ -223,7 +223,8 @@ def test_there_and_back_through_ase(run):
     assert len(atoms) == len(order)
     np.testing.assert_array_equal(atoms.get_positions()[:, :2], found["/grains/position"][order])
     atoms.set_array("radius", found["/grains/radius"][order])
-    atoms.set_array("velocity", np.pad(found["/grains/velocity"][order], ((0, 0), (0, 1))))
+    velocity = np.linspace([0.0, 0.3], [0.2, -0.1], len(order))
+    atoms.set_array("velocity", np.pad(velocity, ((0, 0), (0, 1))))
     io.write(run.path / "back.xyz", atoms, format="extxyz", columns=["symbols", "positions", "radius", "velocity"])
     again = run.run(f"[start]\nfrom = 'back.xyz'\n[grains]\ndiameter = {2 * float(found['/grains/radius'][0])!r}\n"
                     "[stop]\ntime = 1e-9\n[output]\nframes = 0\n", "--set", "method.time_step=1e-9", out="again")
@@ -231,6 +232,7 @@ def test_there_and_back_through_ase(run):
     # ASE writes eight decimals.
     np.testing.assert_allclose(first["/grains/position"], found["/grains/position"][order], rtol=0, atol=2e-8)
     np.testing.assert_allclose(first["/grains/radius"], found["/grains/radius"][order], rtol=0, atol=1e-8)
+    np.testing.assert_allclose(first["/grains/velocity"], velocity, rtol=0, atol=1e-5)  # forces have acted for 1e-9
 
 
 def table(path):

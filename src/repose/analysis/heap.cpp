@@ -137,8 +137,7 @@ HeapShape measure_heap(const Grains<D>& grains, const std::vector<bool>& in_heap
   }
   shape.left = fit(shape.surface, 0, apex_place, -1.0);
   shape.right = fit(shape.surface, apex_place + 1, shape.surface.size(), 1.0);
-  shape.falls_off = falls_off(shape);
-  if (shape.falls_off) shape.moments_angle_deg = moments_angle(grains, in_heap, base_height);
+  if (falls_off(shape)) shape.moments_angle_deg = moments_angle(grains, in_heap, base_height);
   return shape;
 }
 

@@ -29,11 +29,10 @@ struct HeapShape {
   std::vector<SurfaceBin> surface;  ///< contiguous from the apex, by ascending x; empty without a heap
   double apex_x = 0.0;              ///< [L]
   double apex_height = 0.0;         ///< [L] above the base
-  /// Whether the surface falls below half the height of the apex at both ends: a bed between walls has no angle.
-  bool falls_off = false;
   std::optional<FlankLine> left;
   std::optional<FlankLine> right;
-  /// atan(<y>/<|x - <x>|>), exact for a triangle of uniform density; none unless `falls_off`.
+  /// atan(<y>/<|x - <x>|>), exact for a triangle of uniform density; none unless the surface falls below half the
+  /// height of the apex at both ends, since a bed between walls has no such angle.
   std::optional<double> moments_angle_deg;
 };
 

@@ -155,13 +155,7 @@ bool Step::meet(const Event& event) {
 
 /// The contact is soft from this time on, and its grains are bodies.
 void Step::soften(std::uint32_t grain, std::int64_t partner, double time) {
-  Touch touch;
-  touch.grain = grain;
-  touch.partner = partner;
-  if (partner >= 0 && partner < grain) {
-    touch.grain = static_cast<std::uint32_t>(partner);
-    touch.partner = grain;
-  }
+  auto touch = touch_between(grain, partner);
   if (partner < 0) {
     const auto& wall = settings_.walls[wall_of(partner)];
     touch.armed = 1;

@@ -131,13 +131,7 @@ void Hybrid::touch_slowly(const Grains<2>& grains, std::uint32_t grain) {
   const auto& own = grains.line[grain];
   const auto insert = [&](std::int64_t partner, double gap, double reach, double speed) {
     if (gap > touching * reach || (gap > -touching * reach && std::fabs(speed) > settings_.slow)) return;
-    Touch touch;
-    touch.grain = grain;
-    touch.partner = partner;
-    if (partner >= 0 && partner < grain) {
-      touch.grain = static_cast<std::uint32_t>(partner);
-      touch.partner = grain;
-    }
+    auto touch = hybrid::touch_between(grain, partner);
     if (partner < 0) {
       touch.armed = 1;
       touch.anchor = dot(own.position, hybrid::wall_tangent(settings_.walls[wall_of(partner)]));

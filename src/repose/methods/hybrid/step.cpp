@@ -100,13 +100,7 @@ void Step::keep_touches() {
   for (const auto& pair : system_.pairs) {
     const auto& body = system_.bodies[pair.first];
     const auto& line = grains_.line[body.grain];
-    Touch touch;
-    touch.grain = body.grain;
-    touch.partner = pair.partner;
-    if (pair.partner >= 0 && pair.partner < body.grain) {
-      touch.grain = static_cast<std::uint32_t>(pair.partner);
-      touch.partner = body.grain;
-    }
+    auto touch = touch_between(body.grain, pair.partner);
     const Vec<2> force = system_.force_on_first(pair);
     Vec<2> n = pair.normal;
     double overlap = pair.reach;

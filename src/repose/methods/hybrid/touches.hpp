@@ -19,6 +19,18 @@ struct Touch {
   double tangential_force = 0.0;
 };
 
+/// The contact of a grain and a partner, with the partners in their order.
+inline Touch touch_between(std::uint32_t grain, std::int64_t partner) {
+  Touch touch;
+  touch.grain = grain;
+  touch.partner = partner;
+  if (partner >= 0 && partner < grain) {
+    touch.grain = static_cast<std::uint32_t>(partner);
+    touch.partner = grain;
+  }
+  return touch;
+}
+
 inline bool before(const Touch& a, const Touch& b) {
   return std::tie(a.grain, a.partner) < std::tie(b.grain, b.partner);
 }
