@@ -4,6 +4,7 @@
 #include "repose/tables/cells.hpp"
 #include "repose/tables/number_table.hpp"
 #include "repose/tables/text_lines.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -24,12 +25,10 @@ std::string complaint(const std::function<void()>& act) {
   return "none";
 }
 
-struct TableTest : testing::Test {
-  std::string path = (std::filesystem::temp_directory_path() /
-                      (std::string{"repose-"} + testing::UnitTest::GetInstance()->current_test_info()->name() + ".csv"))
-                         .string();
+struct TableTest : ::testing::Test {
+  const testing::TemporaryFolder folder;
+  const std::string path = folder.path("table.csv");
 
-  void TearDown() override { std::filesystem::remove(path); }
   void write(const std::string& text) const { std::ofstream{path, std::ios::binary} << text; }
   NumberTable read(const std::string& text, const std::vector<std::string>& needed = {"a"}) const {
     write(text);

@@ -1,35 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/api/repose.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace repose::api {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// A folder that the test leaves behind empty.
-class Folder {
- public:
-  Folder()
-      : path_(fs::temp_directory_path() /
-              ("repose_api_" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    fs::remove_all(path_);
-  }
-  ~Folder() { fs::remove_all(path_); }
-  std::string path() const { return path_.string(); }
-
- private:
-  fs::path path_;
-};
 
 /// Grains that rain on a row of fixed ones.
 SceneDraft small_rain(const std::string& method) {
@@ -107,7 +89,7 @@ TEST(Api, ASavedStateResumesToTheSameBits) {
   const auto scene = small_rain("soft").checked();
   Simulation whole(scene);
   whole.run();
-  const Folder folder;
+  const testing::TemporaryFolder folder;
   {
     Simulation first(scene);
     first.advance(1.234);
@@ -152,7 +134,7 @@ TEST(Api, StateContactsAndMeasuresDescribeTheSameGrains) {
 }
 
 TEST(Api, AnalysisOfAFolderGivesTheMeasuresOfTheRun) {
-  const Folder folder;
+  const testing::TemporaryFolder folder;
   Simulation simulation(small_rain("soft").checked());
   simulation.write_to(folder.path());
   simulation.run();
@@ -166,7 +148,7 @@ TEST(Api, AnalysisOfAFolderGivesTheMeasuresOfTheRun) {
 }
 
 TEST(Api, AnInterruptEndsTheRunAndKeepsIt) {
-  const Folder folder;
+  const testing::TemporaryFolder folder;
   const auto scene = small_rain("soft").checked();
   Simulation whole(scene);
   whole.run();

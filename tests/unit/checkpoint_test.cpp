@@ -6,12 +6,11 @@
 #include "repose/io/seal.hpp"
 #include "repose/methods/soft/soft.hpp"
 #include "support/soft_world.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <array>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -20,20 +19,13 @@
 namespace repose {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::settings_2d;
 
 class CheckpointTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("repose_checkpoint_" + std::to_string(::getpid()) + "_" +
-                                           ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_.path(name); }
 
-  fs::path folder_;
+  const testing::TemporaryFolder folder_;
 };
 
 std::string content_of(const std::string& path) {

@@ -3,12 +3,12 @@
 #include "repose/core/errors.hpp"
 #include "repose/io/groups.hpp"
 #include "repose/io/reference_table.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -58,11 +58,9 @@ const Group<std::vector<Row>>& every_kind() {
 
 class ColumnsTest : public ::testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  std::string path() const { return folder_ + "/columns.h5"; }
+  std::string path() const { return folder_.path("columns.h5"); }
 
-  const std::string folder_ = ::testing::TempDir() + "repose_columns_test";
+  const testing::TemporaryFolder folder_;
 };
 
 std::vector<Row> some_rows(std::size_t count) {

@@ -7,29 +7,19 @@
 #include "repose/io/exports.hpp"
 #include "repose/io/hdf5_file.hpp"
 #include "repose/io/state.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 
 namespace repose {
 namespace {
 
-namespace fs = std::filesystem;
-
 class GrainsFileTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ =
-        fs::temp_directory_path() /
-        ("repose_grains_" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) + "_" + test->name());
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_.path(name); }
 
   GrainsFile file(const std::string& text, const GrainsFileOptions& options = {}) const {
     std::ofstream(path("f"), std::ios::binary) << text;
@@ -53,7 +43,7 @@ class GrainsFileTest : public ::testing::Test {
     return {};
   }
 
-  fs::path folder_;
+  const testing::TemporaryFolder folder_;
 };
 
 using Lines = std::vector<std::string>;
@@ -196,7 +186,7 @@ TEST_F(GrainsFileTest, OtherFilesAreRefused) {
   EXPECT_TRUE(refused("<?xml version=\"1.0\"?>\n<VTKFile>\n").at(0).starts_with(" is an XML file"));
   EXPECT_TRUE(refused("{\"x\": [1]}\n").at(0).starts_with(" is a JSON file; write a table"));
   EXPECT_THROW(read_grains_file(path("nowhere")), InputError);
-  EXPECT_THROW(read_grains_file(folder_.string()), InputError);
+  EXPECT_THROW(read_grains_file(folder_.path()), InputError);
 }
 
 std::string snapshot(const std::string& columns, const std::string& atoms, int count, int step = 5,

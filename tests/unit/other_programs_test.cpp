@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/core/errors.hpp"
 #include "repose/io/grains_file.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 #include <numbers>
 
@@ -14,15 +14,11 @@
 namespace repose {
 namespace {
 
-namespace fs = std::filesystem;
-
 class OtherProgramsTest : public ::testing::Test {
  protected:
-  std::string path_ = (fs::temp_directory_path() /
-                       (std::string("repose_other_") + ::testing::UnitTest::GetInstance()->current_test_info()->name()))
-                          .string();
+  const testing::TemporaryFolder folder_;
+  const std::string path_ = folder_.path("grains");
 
-  void TearDown() override { fs::remove(path_); }
   GrainsFile read(const std::string& text, const GrainsFileOptions& options = {}) const {
     std::ofstream(path_, std::ios::binary) << text;
     return read_grains_file(path_, options);
