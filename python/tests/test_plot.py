@@ -24,7 +24,7 @@ NO_GRAINS = np.empty((0, 2))
 
 NO_FORCE = "no contact force exceeds analysis.force_threshold"
 NO_TRACK = "the run recorded no track (output.track = 0)"
-NO_ROW = "the base is not a row of grains"
+NO_ROW = "there is no base of grains and no plane as base"
 FEW_ROWS = "the time series has fewer than two rows"
 NOT_ANALYSED = "its stability was not analysed (repose analyse DIR --stability)"
 NO_CONTACTS = {

@@ -5,6 +5,7 @@
 import signal
 import subprocess
 import time
+from pathlib import Path
 
 import h5py
 import numpy as np
@@ -151,3 +152,30 @@ def test_relaxation_without_an_equilibrium_is_an_error(lab):
                  "source.rows=10")
     assert result.returncode == 1
     assert "grain" in result.stderr
+
+
+# Against the impulses by hand, (12), (16) and (19): P_n = (1 + e) m_n v_n, and along the surfaces P_t = m_n v_t/3 where they
+# stick, mu P_n where they slip. Places at the touch have the rounding of its time alone.
+def test_few_bodies_collide_as_by_hand(lab):
+    result = lab("run", Path(__file__).parents[2] / "examples" / "collisions.toml", "--out", "out", "--quiet")
+    assert result.returncode == 0, result.stderr
+    with h5py.File(lab.path / "out" / "run.h5") as file:
+        velocity, spin = file["grains/velocity"][()], file["grains/spin"][()]
+    e, mu = 0.8, 0.2
+    np.testing.assert_allclose(velocity[:2], [[0.1, 0.0], [0.9, 0.0]], atol=1e-12)
+    for first, height, spinning, sticks in ((2, 0.7, 20.0, False), (4, 0.1, 0.0, True)):
+        normal = np.array([-np.sqrt(1.0 - height**2), -height])  # from the disc at rest to the other
+        tangent = np.array([-normal[1], normal[0]])
+        across = tangent[0] - 0.5 * spinning
+        pressed = 0.5 * (1.0 + e) * -normal[0]
+        along = -np.sign(across) * min(abs(across) / 6.0, mu * pressed)
+        assert (abs(along) < mu * pressed) == sticks
+        impulse = pressed * normal + along * tangent
+        np.testing.assert_allclose(velocity[first], [1.0, 0.0] + impulse, atol=1e-12)
+        np.testing.assert_allclose(velocity[first + 1], -impulse, atol=1e-12)
+        np.testing.assert_allclose(spin[first : first + 2], [spinning - 4.0 * along, -4.0 * along], atol=1e-11)
+    np.testing.assert_allclose(velocity[6:8], [[0.64, 0.0], [1.44, 0.0]], atol=1e-12)
+    # The wall: v_t = -R w, P_t = m v_t/3 at most 0.2 (1 + e).
+    np.testing.assert_allclose(velocity[8], [-0.2 * 1.8, e], atol=1e-12)
+    np.testing.assert_allclose(velocity[9:].sum(axis=0), [1.0, 0.0], atol=1e-10)
+    assert summary(lab.path / "out")["collisions"]["hard"] >= 6

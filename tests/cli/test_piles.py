@@ -34,6 +34,11 @@ def slope(tmp_path_factory):
     return small_pile(tmp_path_factory, "slope", "pile-slope.toml", "source.base_count=25")
 
 
+@pytest.fixture(scope="module")
+def hybrid(tmp_path_factory):
+    return small_pile(tmp_path_factory, "hybrid", "pile-slope.toml", "source.base_count=25", "method.kind=hybrid")
+
+
 class State:
     """Grains and contacts of run.h5; forces in grain weights, which are 1."""
 
@@ -118,7 +123,7 @@ def stiffness_of(state, stiffness):
 
 
 # Against all eigenvalues of the full matrix, by numpy. Tolerance: rounding of entries of 1e5.
-@pytest.mark.parametrize("name", ["equilateral", "slope"])
+@pytest.mark.parametrize("name", ["equilateral", "slope", "hybrid"])
 def test_stability_is_that_of_the_full_matrix(name, request):
     folder, said = request.getfixturevalue(name)
     state = State(folder)
@@ -145,6 +150,61 @@ def test_stability_is_that_of_the_full_matrix(name, request):
     assert "stability        smallest eigenvalue" in said
 
 
+def base_of(folder):
+    with h5py.File(folder / "run.h5") as file:
+        return {name: file[f"base/{name}"][()] for name in ("id", "x", "normal", "shear")}
+
+
+# Springs of one stiffness have one equilibrium, whichever method finds it: the forces differ by what the stop of the soft
+# run leaves, 1e-7 for each of the 117 discs.
+def test_soft_and_hybrid_piles_have_the_same_base_forces(slope, hybrid):
+    soft, other = base_of(slope[0]), base_of(hybrid[0])
+    np.testing.assert_array_equal(soft["x"], other["x"])
+    np.testing.assert_allclose(other["normal"], soft["normal"], atol=2e-5)
+    np.testing.assert_allclose(other["shear"], soft["shear"], atol=2e-5)
+    assert soft["normal"].max() > 5.0
+
+
+# One --set away: each method takes its keys from [for.KIND]. Tolerance: the residual of each, in weights.
+@pytest.mark.parametrize("scene", ["pile-slope.toml", "pile-on-floor.toml"])
+@pytest.mark.parametrize("method", ["hybrid", "contact-dynamics"])
+def test_a_pile_by_another_method_carries_its_weight(lab, scene, method):
+    settings = ["--set", f"method.kind={method}", "--set", "source.base_count=15"]
+    result = lab("run", EXAMPLES / scene, "--out", "out", "--quiet", *settings)
+    assert result.returncode == 0, result.stderr
+    found = summary(lab.path / "out")
+    assert found["method"] == method and found["status"] == "finished"
+    base = base_of(lab.path / "out")
+    carried = found["grains"]
+    assert base["normal"].sum() == pytest.approx(carried, rel=1e-5)
+    assert base["shear"].sum() == pytest.approx(0.0, abs=1e-4)
+    assert found["base_profile"]["normal"] == pytest.approx(list(base["normal"]))
+    if method == "contact-dynamics":
+        result = lab("analyse", "out", "--force-range")
+        assert result.returncode == 0, result.stderr
+        allowed = summary(lab.path / "out")["force_range"]
+        assert allowed["unknowns"] > allowed["equations"]
+        low, high = allowed["central_force"]["min"], allowed["central_force"]["max"]
+        assert low < base["normal"][len(base["x"]) // 2] < high and high - low > 1.0
+
+
+# The wells of static friction follow the normal force: they are no springs, and the program says so.
+def test_stability_of_a_hybrid_pile_needs_a_pinned_base(lab):
+    settings = []
+    for setting in (f"source.base_count={ROWS}", "stop.time=0.2", "output.series=0.1"):
+        settings += ["--set", setting]
+    scene = EXAMPLES / "pile-hybrid.toml"
+    assert lab("run", scene, "--out", "out", "--quiet", *settings).returncode == 0
+    assert "pin the grains (method.pin_base)" in lab("analyse", "out", "--stability").stdout
+    settings += ["--set", "method.pin_base=true"]
+    assert lab("run", scene, "--out", "pinned", "--quiet", *settings).returncode == 0
+    assert lab("analyse", "pinned", "--stability").returncode == 0
+    found = summary(lab.path / "pinned")["stability"]
+    discs = ROWS * (ROWS + 1) // 2
+    assert (found["grains"], found["directions"]) == (discs, 2 * discs - ROWS)
+    assert found["smallest"] > 0.0 and found["stiffness"] == pytest.approx(1e5)
+
+
 # On a floor that holds its discs the base forces are (42) and (44) with the own weight. Tolerance: the floor yields along
 # itself with a stiffness of about 1e6, and the stop leaves net forces of 1e-6. The held discs can move up and down alone.
 def test_a_pile_on_a_floor_that_holds_its_discs(lab):
@@ -158,6 +218,8 @@ def test_a_pile_on_a_floor_that_holds_its_discs(lab):
         x = dict(zip(file["grains/id"][()], file["grains/position"][:, 0]))
     on_floor = sorted((x[a], n, t) for (a, b), n, t in zip(grains, normal, shear) if b < 0)
     assert len(on_floor) == ROWS
+    np.testing.assert_array_equal(base_of(lab.path / "out")["normal"], [n for _, n, _ in on_floor])
+    np.testing.assert_allclose(base_of(lab.path / "out")["shear"], [t for *_, t in on_floor], atol=1e-9)
     i = np.arange(1, ROWS + 1)
     np.testing.assert_allclose([n for _, n, _ in on_floor], 0.5 * (ROWS + 1), rtol=1e-3)
     # On the disc along z x n, which points to the left: on the floor to the right.

@@ -8,7 +8,8 @@
 
 namespace repose {
 
-/// Forces of the heap on each base grain, by ascending x, averaged over an interval of time.
+/// Forces of the heap on each base grain, by ascending x, averaged over an interval of time. Where the base is a plane:
+/// of each grain that it carries, at one time.
 struct BaseProfile {
   std::vector<std::int64_t> id;
   std::vector<double> x;       ///< [L]

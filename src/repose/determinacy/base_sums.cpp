@@ -15,7 +15,33 @@ BaseProfile BaseSums::profile(const ContactForces& forces) const {
   return profile;
 }
 
+namespace {
+
+const Vec<2> downward{{0.0, -1.0}};
+const Vec<2> to_the_right{{1.0, 0.0}};
+
+BaseSums sums_of_floor(const BaseProfile& recorded, const ContactProblem& posed) {
+  std::unordered_map<std::int64_t, std::size_t> contact_of;  // a disc has one contact with a plane
+  for (std::size_t k = 0; k < posed.problem.contacts.size(); ++k) {
+    const auto& c = posed.problem.contacts[k];
+    if (posed.places[c.second].id == wall_partner(base_wall)) contact_of.emplace(posed.places[c.first].id, k);
+  }
+  BaseSums sums;
+  sums.id = recorded.id;
+  sums.x = recorded.x;
+  for (const auto id : recorded.id) {
+    const auto contact = contact_of.at(id);
+    const auto floor = posed.problem.contacts[contact].second;
+    sums.normal.push_back({{force_on_body(posed.problem, contact, floor, downward)}});
+    sums.shear.push_back({{force_on_body(posed.problem, contact, floor, to_the_right)}});
+  }
+  return sums;
+}
+
+}  // namespace
+
 BaseSums base_sums(const Record& record, const ContactProblem& posed) {
+  if (record.scene.base->wall(record.scene)) return sums_of_floor(record.base, posed);
   std::unordered_map<std::int64_t, std::size_t> body;
   for (std::size_t k = 0; k < posed.places.size(); ++k) body.emplace(posed.places[k].id, k);
   BaseSums sums;
@@ -25,8 +51,8 @@ BaseSums base_sums(const Record& record, const ContactProblem& posed) {
     const auto place = body.at(grains.id[k]);
     sums.id.push_back(grains.id[k]);
     sums.x.push_back(grains.line[k].position[0]);
-    sums.normal.push_back(force_on_body(posed.problem, place, {{0.0, -1.0}}));
-    sums.shear.push_back(force_on_body(posed.problem, place, {{1.0, 0.0}}));
+    sums.normal.push_back(force_on_body(posed.problem, place, downward));
+    sums.shear.push_back(force_on_body(posed.problem, place, to_the_right));
   }
   return sums;
 }

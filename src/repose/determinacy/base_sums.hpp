@@ -11,7 +11,7 @@
 
 namespace repose {
 
-/// The forces on the base grains as sums of contact forces.
+/// The forces on the base grains, or of the grains that a floor carries, as sums of contact forces.
 struct BaseSums {
   std::vector<std::int64_t> id;
   std::vector<double> x;                ///< [L]

@@ -50,11 +50,16 @@ ForceSum force_on_body(const contact_dynamics::Problem<2>& problem, std::size_t 
   ForceSum sum;
   for (std::size_t k = 0; k < problem.contacts.size(); ++k) {
     const auto& c = problem.contacts[k];
-    if (c.first != body && c.second != body) continue;
-    const double side = c.first == body ? 1.0 : -1.0;
-    sum.terms.push_back({k, side * dot(c.normal, direction), side * dot(tangent_of(c.normal), direction)});
+    if (c.first == body || c.second == body) sum.terms.push_back(force_on_body(problem, k, body, direction));
   }
   return sum;
+}
+
+ForceSum::Term force_on_body(const contact_dynamics::Problem<2>& problem, std::size_t contact, std::size_t body,
+                             const Vec<2>& direction) {
+  const auto& c = problem.contacts[contact];
+  const double side = c.first == body ? 1.0 : -1.0;
+  return {contact, side * dot(c.normal, direction), side * dot(tangent_of(c.normal), direction)};
 }
 
 Equilibrium::Equilibrium(const EquilibriumInput& input, const ContactForces& recorded) : input_(input) {

@@ -31,6 +31,10 @@ struct ForceSum {
 /// The part along `direction` of the force on a body.
 ForceSum force_on_body(const contact_dynamics::Problem<2>& problem, std::size_t body, const Vec<2>& direction);
 
+/// The same of one contact of it.
+ForceSum::Term force_on_body(const contact_dynamics::Problem<2>& problem, std::size_t contact, std::size_t body,
+                             const Vec<2>& direction);
+
 /// What decides which forces are in equilibrium.
 struct EquilibriumInput {
   const contact_dynamics::Problem<2>& problem;

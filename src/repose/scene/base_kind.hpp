@@ -50,6 +50,7 @@ class BaseKind : public AnyKind<BaseKind> {
 };
 
 inline constexpr double most_base_grains = 1e7;
+inline constexpr std::int64_t base_wall = 0;  ///< the number of the wall that a base is
 
 Kinds<BaseKind>& base_kinds();
 

@@ -14,7 +14,7 @@ void show_keys(Scene& scene, Parameters& keys) {
   keys.number("gravity", scene.gravity, {scene.units == "SI" ? 9.81 : 1.0, "1; 9.81 in SI"}, not_negative, "L/T^2",
               "gravity, along -y");
   grain_keys(scene, keys);
-  kind_key("method.kind", scene.method, method_kinds(), any_kind, "soft", "how the grains are moved", keys);
+  kind_key("method.kind", scene.method, method_kinds(), any_kind, usual_method, "how the grains are moved", keys);
   scene.method->keys(scene, keys);
   if (scene.method->traits().has_forces()) contact_keys(scene, keys);
   species_keys(scene, keys);

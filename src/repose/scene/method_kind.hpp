@@ -44,6 +44,12 @@ struct SolverLimits {
   bool stops() const { return unconverged == "error"; }
 };
 
+/// The contacts of a method whose grains are rigid in flight and springs at rest.
+struct RestingContacts {
+  double stiffness = 0.0;  ///< [M/T^2] of every contact that carries force, with grains and with walls
+  bool pinned = false;     ///< walls hold the grains that stand on them along themselves
+};
+
 /// A method as a scene chooses it.
 class MethodKind : public AnyKind<MethodKind> {
  public:
@@ -62,6 +68,8 @@ class MethodKind : public AnyKind<MethodKind> {
   virtual bool synchronised(const Scene& /*scene*/) const { return false; }
   /// [deg] Grains roll on others that lean more than this: sets the usual law of impulses.
   virtual std::optional<double> usual_rolling_angle() const { return std::nullopt; }
+  /// None where the laws of the contacts decide, or contacts are rigid.
+  virtual std::optional<RestingContacts> resting_contacts(const Scene& /*scene*/) const { return std::nullopt; }
   /// Null for a method without a solver.
   virtual const SolverLimits* solver() const { return nullptr; }
   /// [deg] Of the rule by which grains are put in place; none where nothing is.
@@ -75,5 +83,7 @@ class MethodKind : public AnyKind<MethodKind> {
 };
 
 Kinds<MethodKind>& method_kinds();
+
+inline constexpr std::string_view usual_method = "soft";  ///< of a scene that names none
 
 }  // namespace repose

@@ -3,6 +3,7 @@
 #include "repose/scene/read.hpp"
 
 #include "repose/core/errors.hpp"
+#include "repose/scene/for_method.hpp"
 #include "repose/scene/keys.hpp"
 #include "repose/scene/loads.hpp"
 #include "repose/scene/overlaps.hpp"
@@ -27,11 +28,13 @@ std::string trimmed(const std::string& text) {
   return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
+std::string key_of(const std::string& setting) { return trimmed(setting.substr(0, setting.find('='))); }
+
 /// Puts "a.b=value" into the table; returns the key, or adds a problem and returns "".
 std::string apply(const std::string& setting, const std::string& origin, toml::table& root,
                   std::vector<std::string>& problems) {
   const auto equals = setting.find('=');
-  const std::string key = trimmed(setting.substr(0, equals));
+  const std::string key = key_of(setting);
   const bool empty_step = key.empty() || key.front() == '.' || key.back() == '.' || key.find("..") != std::string::npos;
   if (equals == std::string::npos || empty_step || setting.find('\n') != std::string::npos) {
     problems.push_back(fmt::format("{}: must be KEY=VALUE, with a key as in contact.friction", origin));
@@ -111,12 +114,19 @@ Scene scene_from_text(const std::string& text, const std::string& name, const Ov
   toml::table root = parsed_toml(text, name);
   std::vector<std::string> problems;
   std::vector<std::pair<std::string, std::string>> origins;
-  for (std::size_t k = 0; k < overrides.set.size(); ++k) {
-    const auto& setting = overrides.set[k];
-    const auto origin = k < overrides.origins.size() ? overrides.origins[k] : "--set " + setting;
-    const auto key = apply(setting, origin, root, problems);
-    if (!key.empty()) origins.emplace_back(key, origin);
-  }
+  const auto apply_settings = [&](const auto& suits) {
+    for (std::size_t k = 0; k < overrides.set.size(); ++k) {
+      const auto& setting = overrides.set[k];
+      if (!suits(key_of(setting))) continue;
+      const auto origin = k < overrides.origins.size() ? overrides.origins[k] : "--set " + setting;
+      const auto key = apply(setting, origin, root, problems);
+      if (!key.empty()) origins.emplace_back(key, origin);
+    }
+  };
+  const auto chooses_method = [](const std::string& key) { return key == "method" || key == "method.kind"; };
+  apply_settings(chooses_method);
+  apply_keys_for_method(root, name, problems);
+  apply_settings([&](const std::string& key) { return !chooses_method(key); });
   if (overrides.seed) {
     root.insert_or_assign("seed", *overrides.seed);
     origins.emplace_back("seed", "--seed");

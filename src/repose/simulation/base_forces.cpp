@@ -3,8 +3,38 @@
 #include "repose/simulation/base_forces.hpp"
 
 #include <algorithm>
+#include <tuple>
+#include <unordered_map>
 
 namespace repose {
+
+BaseProfile floor_profile(const Grains<2>& grains, const Contacts<2>& contacts, std::int64_t wall, double time,
+                          double unit) {
+  std::unordered_map<std::int64_t, double> place;
+  for (std::size_t k = 0; k < grains.size(); ++k) place.emplace(grains.id[k], grains.line[k].position[0]);
+  struct Carried {
+    double x;
+    std::int64_t id;
+    Vec<2> force;  // of the wall
+    bool operator<(const Carried& other) const { return std::tie(x, id) < std::tie(other.x, other.id); }
+  };
+  std::vector<Carried> carried;
+  for (const auto& contact : contacts.list) {
+    if (contact.second != wall_partner(wall) || !(contact.normal_force > 0.0)) continue;
+    carried.push_back({place.at(contact.first), contact.first, force_of(contact)});
+  }
+  std::sort(carried.begin(), carried.end());
+  BaseProfile profile;
+  profile.window_start = time;
+  profile.window_end = time;
+  for (const auto& one : carried) {
+    profile.id.push_back(one.id);
+    profile.x.push_back(one.x);
+    profile.normal.push_back(one.force[1] / unit);
+    profile.shear.push_back(-one.force[0] / unit);
+  }
+  return profile;
+}
 
 BaseForces::BaseForces(const Grains<2>& grains, double window, double tolerance)
     : window_(window), tolerance_(tolerance) {

@@ -13,6 +13,10 @@
 
 namespace repose {
 
+/// The forces on wall `wall` of the grains that it carries, in a unit [M L/T^2], at this time [T].
+BaseProfile floor_profile(const Grains<2>& grains, const Contacts<2>& contacts, std::int64_t wall, double time,
+                          double unit);
+
 /// Forces on the fixed grains, as means over the last `window` of time [T] before the last row of the series.
 class BaseForces {
  public:

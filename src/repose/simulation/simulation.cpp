@@ -305,7 +305,9 @@ Record Simulation::record() const {
   facts.scene_hash = hash_of(scene_text(scene_));
   record.series = series_.rows();
   record.wall_series = series_.walls();
-  record.base = base_forces_.profile(grains_, scene_.base_force_unit());
+  const double unit = scene_.base_force_unit();
+  record.base = scene_.base->wall(scene_) ? floor_profile(*record.grains, record.contacts, base_wall, facts.time, unit)
+                                          : base_forces_.profile(grains_, unit);
   record.track = track_.track();
   return record;
 }

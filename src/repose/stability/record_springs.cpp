@@ -58,42 +58,55 @@ bool has_friction(const ContactLaws& laws) {
 std::string reason_without_springs(const Record& record) {
   const auto& scene = record.scene;
   if (record.facts.status == Status::failed) return "the run failed: its last state is not to be trusted";
-  if (!scene.method->traits().force_laws) return "contacts have no stiffness with this method";
+  const auto resting = scene.method->resting_contacts(scene);
+  if (!scene.method->traits().force_laws && !resting) return "contacts have no stiffness with this method";
   if (std::any_of(record.walls.begin(), record.walls.end(),
                   [](const auto& w) { return w.wall.motion.kind != WallMotion<2>::Kind::none; })) {
     return "a wall moves";
   }
-  const auto laws = scene.material_laws();
-  for (const auto& one : laws.table) {
-    if (!std::holds_alternative<NoCohesion>(one.cohesion)) return "contacts attract each other";
+  const auto has_tangential_force = [](const Contact<2>& contact) {
+    return std::fabs(contact.tangential_force) > no_friction * std::fabs(contact.normal_force);
+  };
+  if (!resting) {
+    const auto laws = scene.material_laws();
+    for (const auto& one : laws.table) {
+      if (!std::holds_alternative<NoCohesion>(one.cohesion)) return "contacts attract each other";
+    }
   }
   for (const auto& contact : record.contacts.list) {
-    if (contact.second < 0) continue;
-    if (std::fabs(contact.tangential_force) > no_friction * std::fabs(contact.normal_force)) {
-      return "grains have friction: the matrix has normal forces alone";
+    if (!has_tangential_force(contact)) continue;
+    if (contact.second >= 0) return "grains have friction: the matrix has normal forces alone";
+    if (resting && !resting->pinned) {
+      return "static friction of a wall follows the normal force and is no spring: pin the grains (method.pin_base)";
     }
   }
   return "";
 }
 
 std::vector<ContactSpring> springs_of(const Record& record) {
-  const auto laws = record.scene.material_laws();
+  const auto resting = record.scene.method->resting_contacts(record.scene);
+  const auto laws = resting ? MaterialLaws{} : record.scene.material_laws();
+  const auto stiffness = [&](const Contact<2>& contact) {
+    return resting ? resting->stiffness : stiffness_of(laws_between(laws, record, contact), record, contact);
+  };
+  const auto wall_holds = [&](const Contact<2>& contact) {
+    return resting ? resting->pinned : !contact.sliding && has_friction(laws_between(laws, record, contact));
+  };
   const auto moves = [&](std::size_t place) { return !record.grains->line[place].fixed(); };
   std::vector<ContactSpring> springs;
   for (const auto& contact : record.contacts.list) {
     if (!(contact.normal_force > 0.0)) continue;
-    const auto& between = laws_between(laws, record, contact);
     const auto first = *record.grains.find(contact.first);
     const auto second = second_place(record, contact);
     ContactSpring spring{first, ContactSpring::nothing, contact.normal};
-    spring.stiffness = stiffness_of(between, record, contact);
+    spring.stiffness = stiffness(contact);
     spring.force = contact.normal_force;
     if (second) {
       spring.distance = record.grains->line[first].radius + record.grains->line[*second].radius - contact.overlap;
     }
     if (moves(first)) {
       if (second && moves(*second)) spring.second = *second;
-      spring.holds = !second && !contact.sliding && has_friction(between);
+      spring.holds = !second && wall_holds(contact);
     } else if (second && moves(*second)) {
       spring.first = *second;
       spring.normal = -contact.normal;

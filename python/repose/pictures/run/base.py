@@ -17,7 +17,7 @@ def draw(run, state):
     if state.frame:
         raise NotDrawn("it shows the end of the run, not a frame")
     if run.base is None:
-        raise NotDrawn("the base is not a row of grains")
+        raise NotDrawn("there is no base of grains and no plane as base")
     x, normal, shear = (run.base[name] for name in ("x", "normal", "shear"))
     loaded = np.flatnonzero((normal != 0.0) | (shear != 0.0))
     if len(loaded) == 0:
@@ -46,7 +46,10 @@ def draw(run, state):
     figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.08 / 5.2, 1.0 - (0.37 if bins else 0.26) / 3.6), ncol=3)
 
     window = run.base.attributes
-    text = f"mean over t = {window['window_start']:.6g} to {units.time_value(window['window_end'])}"
+    begin, until = window["window_start"], window["window_end"]
+    text = f"at t = {units.time_value(until)}"
+    if begin < until:
+        text = f"mean over t = {begin:.6g} to {units.time_value(until)}"
     dip = run.summary.get("base_dip")
     if dip:
         for side in (-1.0, 1.0):

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/core/eigen.hpp"
 #include "repose/core/grains.hpp"
+#include "repose/methods/hybrid/acceleration.hpp"
 #include "repose/methods/hybrid/soft_solver.hpp"
 
 #include <algorithm>
@@ -15,7 +16,10 @@ using Numbers = Eigen::VectorXd;
 
 constexpr long most_newton_steps = 60;
 constexpr long most_of_descent = 20;  // a shorter step of descent is cheaper than more
-constexpr double quick = 0.1;         // a step that leaves less than this of the residual keeps its factorisation
+// An iteration that leaves less than this of the residual keeps its factorisation: Newton's steps of descent, and
+// accelerated ones, which learn what the matrix lacks and forget it with the factorisation.
+constexpr double quick_descent = 0.1;
+constexpr double quick = 0.9;
 
 /// Residuals [weight] that rounding of places alone makes.
 double rounding_of(const SoftSystem& system) {
@@ -187,6 +191,7 @@ Solved DirectSolver::solve(SoftSystem& system, double tolerance, bool definite) 
   if (!matrix_->suits(system, block)) matrix_->lay_out(system, block);
   const double rounding = rounding_of(system);
   Solved solved;
+  Acceleration acceleration;
   bool stale = true;
   bool fresh = false;
   system.balance();
@@ -208,10 +213,12 @@ Solved DirectSolver::solve(SoftSystem& system, double tolerance, bool definite) 
         if (!matrix_->factorise(system) || !matrix_->is_definite()) return solved;
       }
       fresh = true;
+      acceleration.forget();
     }
     ++solved.iterations;
     const double before = system.sum_of_squares();
-    const Numbers step = -matrix_->factors.solve(matrix_->residuals(system));
+    Numbers step = -matrix_->factors.solve(matrix_->residuals(system));
+    if (!definite) step = acceleration.step(step);
     double by = 1.0;
     matrix_->move(system, step, by);
     system.balance();
@@ -225,6 +232,7 @@ Solved DirectSolver::solve(SoftSystem& system, double tolerance, bool definite) 
         system.balance();
         after = system.sum_of_squares();
       }
+      acceleration.shortened(by);
       if (!(after < before)) {
         const bool at_rounding = worst.residual <= std::max(tolerance, rounding);
         if (!fresh || at_rounding) {
@@ -237,7 +245,8 @@ Solved DirectSolver::solve(SoftSystem& system, double tolerance, bool definite) 
         }
       }
     }
-    stale = !(after < quick * quick * before);
+    const double keep = definite ? quick_descent : quick;
+    stale = !(after < keep * keep * before);
     fresh = false;
   }
 }

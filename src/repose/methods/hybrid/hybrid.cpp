@@ -96,7 +96,7 @@ bool Hybrid::take_step(Grains<2>& grains, double length, int halvings) {
 
 bool Hybrid::relax(Grains<2>& grains) {
   if (touches_.list.empty()) return true;
-  hybrid::Relaxation progress{settings_.time_step};
+  hybrid::Relaxation progress{.length = settings_.time_step};
   for (;;) {
     const auto surroundings = around();
     const auto ended = hybrid::relax(surroundings, grains, touches_, system_, solver_, progress, account_);

@@ -13,9 +13,11 @@ constexpr long most_descents = 3000;
 constexpr double most_growth = 4.0;
 constexpr double least_growth = 1.2;
 constexpr double shrink = 3.0;
-constexpr double loose = 1e-2;     // residual of a step of descent over the net forces that it begins with
-constexpr double farthest = 0.05;  // radii that a grain may move in one step of descent
-constexpr double shortest = 1e-8;  // [T of a time step]
+constexpr double loose = 1e-2;      // residual of a step of descent over the net forces that it begins with
+constexpr double farthest = 0.05;   // radii that a grain may move in one step of descent
+constexpr double shortest = 1e-8;   // [T of a time step]
+constexpr double next_load = 4.0;   // over that of the stage before
+constexpr double stage_end = 1e-3;  // net force of a stage over its gravity
 
 /// The net force on a body at the end of a step of descent [weight]: what holds it back there.
 double left_over(const SoftSystem& system, std::uint32_t& worst) {
@@ -28,6 +30,28 @@ double left_over(const SoftSystem& system, std::uint32_t& worst) {
     worst = body.grain;
   }
   return largest;
+}
+
+/// The first stage of gravity: a small one where no spring is pressed yet, all of it else.
+double first_load(SoftSystem& system) {
+  constexpr double small = 1.0 / 64.0;
+  system.balance();
+  const double pressed = stage_end * small * system.weight;
+  const bool any = std::any_of(system.pairs.begin(), system.pairs.end(),
+                               [&](const auto& pair) { return pair.normal_force > pressed; });
+  return any ? 1.0 : small;
+}
+
+/// Begins the next stage of gravity, where springs would yield by as much more.
+void raise_load(Relaxation& progress, Grains<2>& grains) {
+  const double load = std::min(1.0, next_load * progress.load);
+  const double more = load / progress.load - 1.0;
+  for (std::uint32_t k = 0; k < grains.size(); ++k) {
+    const auto further = more * progress.displaced[k];
+    grains.line[k].position += further;
+    progress.displaced[k] += further;
+  }
+  progress.load = load;
 }
 
 /// The soft contacts at rest; returns whether a well broke.
@@ -75,6 +99,7 @@ Relaxed relax(const Surroundings& around, Grains<2>& grains, Touches& touches, S
   system.begin(progress.length);
   system.statics = true;
   gather_bodies(around, grains, touches, progress.length, system);
+  progress.displaced.resize(grains.size());
   const auto body = bodies_of(grains, system);
   for (; progress.steps < most_descents; ++progress.steps) {
     system.step = progress.length;
@@ -84,7 +109,9 @@ Relaxed relax(const Surroundings& around, Grains<2>& grains, Touches& touches, S
       one.rolled = 0.0;
     }
     gather_pairs(around, grains, touches, body, system);
-    const double tolerance = std::max(settings.tolerance, loose * std::min(1.0, progress.left));
+    if (progress.load == 0.0) progress.load = first_load(system);
+    system.gravity = settings.gravity * progress.load;
+    const double tolerance = std::max(settings.tolerance, loose * std::min(progress.load, progress.left));
     const auto solved = solve(settings, solver, system, tolerance, true);
     account.iterations += solved.iterations;
     const bool near = std::all_of(system.bodies.begin(), system.bodies.end(),
@@ -99,11 +126,19 @@ Relaxed relax(const Surroundings& around, Grains<2>& grains, Touches& touches, S
     for (const auto& one : system.bodies) {
       auto& line = grains.line[one.grain];
       line.position += one.moved;
+      progress.displaced[one.grain] += one.moved;
       line.velocity = {};
       line.rim_velocity = 0.0;
     }
     const double left = left_over(system, progress.worst) + solved.residual;
     progress.left = left;
+    const auto stays = [](std::uint32_t) { return 0.0; };
+    if (progress.load < 1.0 && left <= std::max(settings.tolerance, stage_end * progress.load)) {
+      raise_load(progress, grains);
+      progress.left = 1.0;
+      if (!around.near.holds(grains, stays)) return Relaxed::moved_far;
+      continue;
+    }
     if (left <= settings.tolerance) {
       const bool broke = touches_at_rest(around, grains, system, touches);
       account.worst_residual = std::max(account.worst_residual, left);
@@ -113,7 +148,6 @@ Relaxed relax(const Surroundings& around, Grains<2>& grains, Touches& touches, S
     }
     progress.length *= progress.growth;
     progress.growth = std::min(most_growth, 1.3 * progress.growth);
-    const auto stays = [](std::uint32_t) { return 0.0; };
     if (!around.near.holds(grains, stays)) return Relaxed::moved_far;
   }
   return Relaxed::failed;

@@ -4,6 +4,8 @@
 
 #include "repose/methods/hybrid/step.hpp"
 
+#include <vector>
+
 namespace repose::hybrid {
 
 enum class Relaxed {
@@ -19,12 +21,15 @@ struct Relaxation {
   double growth = 4.0;  ///< of the length, from step to step
   double left = 1.0;    ///< [weight] largest net force so far
   std::uint32_t worst = nobody;
+  double load = 0.0;                ///< fraction of gravity that acts; 0: not yet decided
+  std::vector<Vec<2>> displaced{};  ///< [L] of each grain, from the start
 };
 
 /// Brings the grains with soft contacts to equilibrium, without time and velocities: implicit steps of descent in
-/// energy, each longer than the one before, whose end is Newton's method on the statics. Static wells hold, and break
-/// where they would be left.
-/// Validated by tests/unit/hybrid_statics_test.cpp.
+/// energy, each longer than the one before, whose end is Newton's method on the statics. Gravity rises by stages:
+/// springs that touch at the start yield in proportion to it, as long as contacts turn little, so that each stage
+/// begins near its end. Static wells hold, and break where they would be left. Validated by
+/// tests/unit/hybrid_statics_test.cpp.
 Relaxed relax(const Surroundings& around, Grains<2>& grains, Touches& touches, SoftSystem& system, DirectSolver& solver,
               Relaxation& progress, CollisionAccount& account);
 

@@ -9,14 +9,17 @@ void add_base(Registry& to) {
   const auto profile = [](auto member) { return [=](const Measured& run) { return run.record.base.*member; }; };
   const auto dip = [](auto member) { return [=](const Measured& run) { return (*run.results.dip).*member; }; };
   const auto add = [&](Measure measure) { to.measures.push_back(std::move(measure)); };
-  add(measure("base_profile", "", "lists: force of the heap on each base grain; in M L/T^2 without gravity",
+  add(measure("base_profile", "",
+              "lists: force of the heap on each base grain, or on a plane of each grain that it carries; in M L/T^2 "
+              "without gravity",
               [](const Measured& run) { return run.record.base.x.empty() ? std::nullopt : std::optional(Object{}); }));
   add(measure("base_profile.x", "L", "centres", profile(&BaseProfile::x)));
   add(measure("base_profile.normal", "grain weights", "positive downward", profile(&BaseProfile::normal)));
   add(measure("base_profile.shear", "grain weights", "positive to the right", profile(&BaseProfile::shear)));
-  add(measure("base_profile.window", "T", "start and end of the average", [](const Measured& run) {
-    return std::vector<double>{run.record.base.window_start, run.record.base.window_end};
-  }));
+  add(measure("base_profile.window", "T", "start and end of the average; one time for a plane",
+              [](const Measured& run) {
+                return std::vector<double>{run.record.base.window_start, run.record.base.window_end};
+              }));
   add(measure("base_dip", "", "whether the load dips under the apex",
               [](const Measured& run) { return run.results.dip ? std::optional(Object{}) : std::nullopt; }));
   add(measure("base_dip.index", "",

@@ -59,6 +59,9 @@ struct HybridMethod final : KindOf<HybridMethod, MethodKind> {
   void check(const Scene& scene, Problems& problems) const override;
   double automatic_step(const Scene& scene) const override;
   double time_step(const Scene& scene) const override { return step ? *step : automatic_step(scene); }
+  std::optional<RestingContacts> resting_contacts(const Scene& scene) const override {
+    return RestingContacts{stiffness(scene), pin_base.value_or(false)};
+  }
   std::string describe(const Scene& scene) const override;
   std::unique_ptr<Method<2>> make(const Scene& scene) const override;
 
