@@ -101,7 +101,9 @@ void add_voronoi(Registry& to) {
 void add_heap(Registry& to) {
   const auto core = [](auto member) { return [=](const Measured& run) { return run.results.core.*member; }; };
   const auto add = [&](Measure measure) { to.measures.push_back(std::move(measure)); };
-  add(measure("angle_of_repose_deg", "", "of the surface profile, which is defined below",
+  add(measure("angle_of_repose_deg", "",
+              "of the surface profile, which is defined below; null where walls steeper than 45 deg bear a hundredth "
+              "of the weight",
               [](const Measured&) { return Object{}; }));
   add(measure("angle_of_repose_deg.left", "deg", "of the line through the left flank", angle_of(&HeapShape::left)));
   add(measure("angle_of_repose_deg.right", "deg", "of the line through the right flank", angle_of(&HeapShape::right)));
