@@ -17,7 +17,9 @@ namespace {
 std::vector<MeasureRow> rows_of(const Measured& run) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<MeasureRow> rows;
-  for (const auto& [measure, value] : measured_values(run)) {
+  for (const auto& measured : measured_values(run)) {
+    const auto& measure = measured.measure;  // no structured binding: clang 14 does not capture one
+    const auto& value = measured.value;
     if (!measure.of_grains) continue;
     const auto add = [&](const std::string& name, double number, const std::string& meaning) {
       rows.push_back({name, std::isfinite(number) ? number : none, measure.unit, meaning});
