@@ -32,7 +32,8 @@ BELOW["simulation"] = BELOW["results"] = BELOW["record"] | {"record"}
 BELOW["contact_problem"] = BELOW["record"] | {"record", "simulation", "results"}
 BELOW["determinacy"] = BELOW["contact_problem"] | {"contact_problem"}
 BELOW["stability"] = BELOW["contact_problem"]
-BELOW["run_folder"] = BELOW["determinacy"] | {"determinacy", "stability"}
+BELOW["slips"] = BELOW["contact_problem"]
+BELOW["run_folder"] = BELOW["determinacy"] | {"determinacy", "stability", "slips"}
 BELOW["sweep"] = BELOW["run_folder"] | {"run_folder"}
 BELOW["comparison"] = BELOW["sweep"] | {"sweep"}
 BELOW["api"] = BELOW["comparison"] | {"comparison"}

@@ -31,6 +31,7 @@ def write_analysis(folder, grains, contacts, diameter, surface=True, track=True,
             write_chains(file.create_group("chains"), contacts)
             write_force_lines(file.create_group("force_lines"), grains, contacts)
             write_stability(file.create_group("stability"), grains["id"][moving], centre[moving])
+            write_slips(file)
             write_grain_stress(file.create_group("grain_stress"), grains, diameter)
             write_fields(file.create_group("fields"), centre[moving], diameter)
         if track and moving.any():
@@ -139,6 +140,20 @@ def write_stability(group, ids, centre):
     """An unstable mode that moves grains to the left, the more the higher they are."""
     sway = centre[:, 1] / centre[:, 1].max()
     write_group(group, {"id": ids, "displacement": np.column_stack([-sway, np.zeros(len(sway))])}, smallest=-2.5)
+
+
+def write_slips(file):
+    """Three slips of a saw, the drops 4, 2 and 1, with a law that begins at the least of them."""
+    time = np.arange(12.0)
+    force = np.array([5.0, 6, 2, 3, 4, 2, 3, 4, 3, 4, 5, 6])
+    write_group(file.create_group("drive"), {"time": time, "force": force, "displacement": 0.1 * time})
+    begin, end = np.array([1.0, 4.0, 7.0]), np.array([2.0, 5.0, 8.0])
+    drop = np.array([4.0, 2.0, 1.0])
+    waiting = np.array([np.nan, 2.0, 2.0])
+    columns = {"begin": begin, "end": end, "force": [6.0, 4.0, 4.0], "drop": drop, "slide": drop, "waiting": waiting}
+    group = file.create_group("slips")
+    write_group(group, {**columns, "creep": waiting}, mean_force=4.0, x_min=1.0, exponent=2.0)
+    group.attrs.update({"wall": np.bytes_(b"piston"), "verdict": np.bytes_(b"undecided: 3 events")})
 
 
 def write_fields(group, centre, diameter):

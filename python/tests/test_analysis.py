@@ -19,6 +19,7 @@ PICTURE_OF = {
     "chains": ("chains", "no contact force exceeds analysis.force_threshold"),
     "force_lines": ("strongest", "no contact force exceeds analysis.force_threshold"),
     "stability": ("stability", "its stability was not analysed .repose analyse DIR --stability."),
+    "drive": ("slips", "its slips were not looked for .repose analyse DIR --slips."),
     "motion": ("avalanches", "the run recorded no track .output.track = 0."),
 }  # by group: the picture that needs it, and the reason why it is not drawn without
 

@@ -27,6 +27,7 @@ NO_TRACK = "the run recorded no track (output.track = 0)"
 NO_ROW = "there is no base of grains and no plane as base"
 FEW_ROWS = "the time series has fewer than two rows"
 NOT_ANALYSED = "its stability was not analysed (repose analyse DIR --stability)"
+NO_SLIPS = "its slips were not looked for (repose analyse DIR --slips)"
 NO_CONTACTS = {
     "density": "no contacts",
     "forces": "no contact carries a force",
@@ -35,6 +36,7 @@ NO_CONTACTS = {
     "weakest": NO_FORCE,
     "force_distribution": NO_FORCE,
     "stability": NOT_ANALYSED,
+    "slips": NO_SLIPS,
     "voronoi": "there is no heap",
     "stress": "there is no heap",
     "velocity": "there is no heap",

@@ -302,6 +302,17 @@ def test_stability_shows_the_mode_as_arrows(folder):
     assert legend_of(figure) == ["unstable: -2.5 grain weights per diameter"]
 
 
+def test_slips_are_marked_on_the_force_and_their_drops_counted(folder):
+    _, figure = drawn(folder, "slips")
+    force, drops = figure.axes
+    (marked,) = of_kind(force, LineCollection)
+    np.testing.assert_allclose(marked.get_segments(), [[[1, 6], [2, 2]], [[4, 4], [5, 2]], [[7, 4], [8, 3]]])
+    np.testing.assert_allclose(drops.lines[0].get_xydata(), [[1.0, 1.0], [2.0, 2 / 3], [4.0, 1 / 3]])
+    # The law of exponent 2 falls as 1/x from the first drop on.
+    np.testing.assert_allclose(drops.lines[1].get_xydata()[-1], [4.0, 0.25])
+    assert "3 slips of wall piston; drops: undecided: 3 events" in [text.get_text() for text in figure.texts]
+
+
 def test_avalanches_show_sizes_angles_and_depth(folder):
     run, figure = drawn(folder, "avalanches")
     moved, angles, depth = figure.axes

@@ -82,6 +82,19 @@ std::string describe_stability(const Stability& found) {
       found.smallest, found.relative, found.negative, found.neutral, found.directions);
 }
 
+std::string describe_slips(const Slips& found) {
+  if (!found.problem.empty()) return fmt::format("slips            none: {}\n", found.problem);
+  std::string text = fmt::format("slips            {} of wall {} from time {:.4g} on, mean force {:.4g}\n",
+                                 found.events.size(), found.wall, found.from, found.mean_force);
+  const auto& drops = found.drops;
+  if (drops.tail > 0) {
+    text += fmt::format(
+        "  drops          exponent {:.3f} +- {:.3f} from {:.3g} on, {} drops over {:.2f} decades, p {:.2f}\n",
+        drops.exponent, drops.error, drops.x_min, drops.tail, drops.decades, drops.p_value);
+  }
+  return text + fmt::format("  power law      {}\n", drops.verdict);
+}
+
 std::string describe_force_range(const ForceRange& range) {
   if (!range.problem.empty()) return fmt::format("force range      none: {}\n", range.problem);
   std::string text = fmt::format("force range      {} unknowns, {} equations: {} forces are left open\n",
@@ -249,6 +262,7 @@ std::string describe_result(const Record& record, const Results& results) {
   if (results.dip) text += fmt::format("dip index        {:.3f}\n", results.dip->index);
   if (results.force_range) text += describe_force_range(*results.force_range);
   if (results.stability) text += describe_stability(*results.stability);
+  if (results.slips) text += describe_slips(*results.slips);
   if (!results.motion.rows.empty()) {
     text += fmt::format("avalanches       {} of at least {} grains in {} intervals\n", results.motion.avalanches.size(),
                         record.scene.analysis.avalanche, results.motion.rows.size());

@@ -16,6 +16,7 @@
 #include "repose/analysis/voronoi.hpp"
 #include "repose/record/record.hpp"
 #include "repose/results/force_range.hpp"
+#include "repose/results/slips.hpp"
 #include "repose/results/stability.hpp"
 #include "repose/results/wall_forces.hpp"
 
@@ -53,6 +54,7 @@ struct Results {
       neighbours;  ///< touching grains of each grain, by its place in the record, with the packing
   std::optional<ForceRange> force_range;  ///< where it was asked for; `analyse` leaves it out
   std::optional<Stability> stability;     ///< likewise
+  std::optional<Slips> slips;             ///< likewise
   std::int64_t breaking_rule = 0;         ///< deposited discs that do not rest by the critical-angle rule
 };
 

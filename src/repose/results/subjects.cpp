@@ -14,6 +14,7 @@ void add_motion(Registry& to);
 void add_base(Registry& to);
 void add_force_range(Registry& to);
 void add_stability(Registry& to);
+void add_slips(Registry& to);
 void add_walls(Registry& to);
 void add_fields(Registry& to);
 void add_grain_stress(Registry& to);
@@ -35,6 +36,7 @@ std::vector<Subject> subjects() {
       add_base,               //
       add_force_range,        //
       add_stability,          //
+      add_slips,              //
       add_walls,              //
       add_fields,             //
       add_grain_stress,       //

@@ -3,6 +3,7 @@
 #include "repose/run_folder/further_analysis.hpp"
 
 #include "repose/determinacy/force_range.hpp"
+#include "repose/slips/slips.hpp"
 #include "repose/stability/stability.hpp"
 
 namespace repose {
@@ -11,6 +12,7 @@ Results analyse(const Record& record, const FurtherAnalysis& further) {
   auto results = analyse(record);
   if (further.force_range) results.force_range = force_range(record, results);
   if (further.stability) results.stability = stability(record);
+  if (further.slips) results.slips = slips(record);
   return results;
 }
 

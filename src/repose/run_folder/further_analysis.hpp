@@ -11,6 +11,7 @@ namespace repose {
 struct FurtherAnalysis {
   bool force_range = false;  ///< determinacy/force_range.hpp
   bool stability = false;    ///< stability/stability.hpp
+  bool slips = false;        ///< slips/slips.hpp
 };
 
 /// The analysis of a record, with that. Throws InputError where the record has no force range.

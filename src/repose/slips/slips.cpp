@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "repose/slips/slips.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace repose {
+
+namespace {
+
+using Kind = WallMotion<2>::Kind;
+
+constexpr double part_of_mean = 1e-3;  // of the force: smaller changes are no slips
+constexpr double left_out = 0.2;       // of the time since the wall set out, while the column packs
+
+std::optional<std::size_t> driven_wall(const Record& record) {
+  for (const auto kind : {Kind::spring, Kind::velocity}) {
+    for (std::size_t w = 0; w < record.walls.size(); ++w) {
+      if (record.walls[w].wall.motion.kind == kind) return w;
+    }
+  }
+  return std::nullopt;
+}
+
+/// The rows while the wall goes. A spring pulls with its stiffness times its length; a wall of given speed is pushed by
+/// what the grains resist with, as a mean since the row before.
+std::vector<DriveRow> path_of(const Record& record, std::size_t w) {
+  const auto& motion = record.walls[w].wall.motion;
+  std::vector<DriveRow> path;
+  for (std::size_t row = 0; row < record.series.size(); ++row) {
+    const double time = record.series[row].time;
+    if (!motion.going(time)) continue;
+    const auto& at = record.wall_series[row * record.walls.size() + w];
+    const double force = motion.kind == Kind::spring
+                             ? motion.stiffness * (motion.speed * (time - motion.start) - at.displacement)
+                             : -dot(at.force, motion.direction);
+    path.push_back({time, force, at.displacement});
+  }
+  return path;
+}
+
+}  // namespace
+
+std::vector<Slip> find_slips(const std::vector<DriveRow>& path, double hysteresis) {
+  std::vector<Slip> found;
+  if (path.empty()) return found;
+  std::size_t top = 0;          // largest force since the last slip
+  std::size_t bottom = 0;       // smallest since then, during a slip
+  double rested = Slips::none;  // displacement at the end of the slip before
+  bool slipping = false;
+  for (std::size_t k = 0; k < path.size(); ++k) {
+    if (!slipping) {
+      if (path[k].force >= path[top].force) top = k;
+      if (!(path[k].force < path[top].force - hysteresis)) continue;
+      slipping = true;
+      bottom = k;
+    } else if (path[k].force <= path[bottom].force) {
+      bottom = k;
+    } else if (path[k].force > path[bottom].force + hysteresis) {
+      const double before = found.empty() ? Slips::none : found.back().end;
+      found.push_back({path[top].time, path[bottom].time, path[top].force, path[top].force - path[bottom].force,
+                       path[bottom].displacement - path[top].displacement, path[top].time - before,
+                       path[top].displacement - rested});
+      rested = path[bottom].displacement;
+      slipping = false;
+      top = k;
+    }
+  }
+  return found;
+}
+
+Slips slips(const Record& record) {
+  Slips result;
+  const auto wall = driven_wall(record);
+  if (!wall) {
+    result.problem = "no wall is driven by a spring or at a speed";
+    return result;
+  }
+  result.wall = record.walls[*wall].name;
+  auto& path = result.drive;
+  path = path_of(record, *wall);
+  if (path.size() < 3) {
+    path.clear();
+    result.problem = "the time series has fewer than three rows while the wall goes (output.series)";
+    return result;
+  }
+  result.from = path.front().time + left_out * (path.back().time - path.front().time);
+  std::erase_if(path, [&](const auto& one) { return one.time < result.from; });
+  double sum = 0.0;
+  for (const auto& one : path) sum += one.force;
+  result.mean_force = sum / static_cast<double>(path.size());
+  result.hysteresis = part_of_mean * std::fabs(result.mean_force);
+  result.events = find_slips(path, result.hysteresis);
+  double in_slips = 0.0;
+  std::vector<double> drops;
+  for (const auto& slip : result.events) {
+    drops.push_back(slip.drop);
+    in_slips += slip.end - slip.begin;
+  }
+  result.sliding = in_slips / (path.back().time - path.front().time);
+  result.drops = fit_tail(drops);
+  return result;
+}
+
+}  // namespace repose

@@ -1,0 +1,68 @@
+# SPDX-FileCopyrightText: 2026 The Repose developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Slips of a driven wall through the program, against numpy."""
+
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+from conftest import Laboratory, summary
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+
+
+@pytest.fixture(scope="module")
+def column(tmp_path_factory):
+    lab = Laboratory(tmp_path_factory.mktemp("column"))
+    settings = ["output.series=0.1", "source.count=60", "stop.time=250", "output.frames=0"]
+    options = [word for setting in settings for word in ("--set", setting)]
+    result = lab("run", EXAMPLES / "pushed-column.toml", "--out", "out", "--quiet", *options)
+    assert result.returncode == 0, result.stderr
+    result = lab("analyse", "out", "--slips")
+    assert result.returncode == 0, result.stderr
+    return lab.path / "out", result.stdout
+
+
+# The force of the spring, written from the scene: k (v (t - start) - y). Slips by a plain search for turning points.
+def test_slips_of_a_pushed_column_are_those_of_numpy(column):
+    folder, said = column
+    with h5py.File(folder / "run.h5") as file:
+        time = file["series/time"][()]
+        moved = file["series/wall_displacement"][:, 2]
+    with h5py.File(folder / "analysis.h5") as file:
+        drive = {name: data[()] for name, data in file["drive"].items()}
+        slips = {name: data[()] for name, data in file["slips"].items()}
+    found = summary(folder)["slips"]
+    going = time >= 60.0
+    first = time[going][0]
+    kept = going & (time >= first + 0.2 * (time[-1] - first))
+    force = 500.0 * (0.05 * (time[kept] - 60.0) - moved[kept])
+    np.testing.assert_allclose(drive["force"], force, atol=1e-9)
+    assert (found["wall"], found["problem"]) == ("piston", "")
+    assert found["mean_force"] == pytest.approx(force.mean())
+    least = 1e-3 * force.mean()
+    begins, ends, top, bottom, falling = [], [], 0, 0, False
+    for k in range(len(force)):
+        if not falling:
+            top = k if force[k] >= force[top] else top
+            falling, bottom = force[k] < force[top] - least, k
+        elif force[k] <= force[bottom]:
+            bottom = k
+        elif force[k] > force[bottom] + least:
+            begins, ends, top, falling = [*begins, top], [*ends, bottom], k, False
+    assert found["count"] == len(begins) > 3
+    np.testing.assert_array_equal(slips["begin"], time[kept][begins])
+    np.testing.assert_array_equal(slips["end"], time[kept][ends])
+    np.testing.assert_allclose(slips["drop"], force[begins] - force[ends], atol=1e-9)
+    np.testing.assert_allclose(slips["slide"], moved[kept][ends] - moved[kept][begins], atol=1e-12)
+    np.testing.assert_allclose(slips["creep"][1:], moved[kept][begins[1:]] - moved[kept][ends[:-1]], atol=1e-12)
+    assert found["mean_drop"] == pytest.approx(slips["drop"].mean())
+    assert "power law      undecided" in said
+
+
+def test_without_a_driven_wall_there_is_nothing_to_look_for(lab):
+    lab.run("[[plane]]\npoint = [0, 0]\nnormal = [0, 1]\n[[grain]]\nposition = [0, 1]\n[stop]\ntime = 1\n")
+    result = lab("analyse", "out", "--slips")
+    assert "none: no wall is driven" in result.stdout
+    assert summary(lab.path / "out")["slips"]["count"] == 0
