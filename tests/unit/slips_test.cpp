@@ -9,7 +9,7 @@
 namespace repose {
 namespace {
 
-// A saw: it rises by 3 in three units of time, without motion, and falls by 2 in one, by 0.5 of way.
+// A saw: it rises by 3 in three units of time, without motion, and falls by 2 in one, while the wall moves by 0.5.
 TEST(Slips, AreTheFallsOfASaw) {
   std::vector<DriveRow> path;
   for (int k = 0; k < 21; ++k) {
