@@ -291,8 +291,10 @@ def test_a_run_in_progress_is_refused(lab):
 
 
 def test_heaps_without_a_base_or_a_slope_are_refused(lab):
-    lab.run(HEAP.replace('kind = "row"\nhalf_width = 8', 'kind = "plane"').replace("at_rest", "# at_rest"), out="plane")
-    lab.refused("plot", "plane", *CONTINUUM, parts=["plane: no base profile: the heap does not stand on a row of base grains"])
+    floor = "\n[[plane]]\npoint = [0, 0]\nnormal = [0, 1]\n"
+    no_base = HEAP.replace('kind = "row"\nhalf_width = 8', 'kind = "none"').replace("at_rest", "# at_rest") + floor
+    lab.run(no_base, out="plane")
+    lab.refused("plot", "plane", *CONTINUUM, parts=["plane: no base profile: the heap stands on no base of grains and no plane"])
     few = lab.run(HEAP.replace("count = 40", "count = 6"), out="few")
     assert summary(few)["angle_of_repose_deg"]["mean"] is None and summary(few)["base_dip"] is not None
     lab.refused("plot", "few", *CONTINUUM, parts=["slope_deg must be given: the heap has no angle of repose"])

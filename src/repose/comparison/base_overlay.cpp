@@ -239,7 +239,7 @@ MeasuredBase measured_base(const std::string& folder) {
   const auto json = finished_summary(folder);
   const Hdf5Reader file(folder + "/analysis.h5");
   if (json.at("base_profile").is_null() || !file.has("base")) {
-    throw InputError(fmt::format("{}: no base profile: the heap does not stand on a row of base grains", folder));
+    throw InputError(fmt::format("{}: no base profile: the heap stands on no base of grains and no plane", folder));
   }
   if (json.at("base_dip").is_null()) throw InputError(fmt::format("{}: nothing rests on the base", folder));
   MeasuredBase base;

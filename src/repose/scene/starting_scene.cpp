@@ -3,6 +3,7 @@
 #include "repose/scene/starting_scene.hpp"
 
 #include "repose/core/errors.hpp"
+#include "repose/scene/for_method.hpp"
 #include "repose/scene/keys.hpp"
 #include "repose/scene/reader.hpp"
 #include "repose/scene/scene.hpp"
@@ -51,7 +52,10 @@ std::string starting_scene(std::string_view kind) {
     for (const auto& one : kinds) names.push_back(one.name);
     throw InputError(fmt::format("{}: no such kind of scene; must be {}", kind, fmt::join(names, " | ")));
   }
-  const auto root = parsed_toml(found->text, found->name);
+  auto root = parsed_toml(found->text, found->name);
+  std::vector<std::string> problems;
+  apply_keys_for_method(root, found->name, problems);
+  REPOSE_ASSERT(problems.empty());
   Reader reader(root, found->name);
   Scene scene;
   show_keys(scene, reader);

@@ -28,7 +28,7 @@ struct StartingKind {
 std::vector<StartingKind> starting_kinds();
 
 /// A scene of this kind to begin with: what the example sets, and as comments all else that can be set, each key with
-/// its unit and meaning. Throws InputError if there is no such kind.
+/// its unit and meaning, for the method of the example alone. Throws InputError if there is no such kind.
 std::string starting_scene(std::string_view kind);
 
 }  // namespace repose
