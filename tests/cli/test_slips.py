@@ -66,3 +66,65 @@ def test_without_a_driven_wall_there_is_nothing_to_look_for(lab):
     result = lab("analyse", "out", "--slips")
     assert "none: no wall is driven" in result.stdout
     assert summary(lab.path / "out")["slips"]["count"] == 0
+
+
+ONE_GRAIN = """
+[method]
+kind = "contact-dynamics"
+tolerance = 1e-8
+[[material]]
+name = "disc"
+[[material]]
+name = "floor"
+[contact]
+friction = 0.0
+[[pair]]
+first = "disc"
+second = "floor"
+friction = 0.4
+dynamic_friction = 0.25
+weakening_velocity = 1e-6
+rolling_friction = inf
+[[grain]]
+position = [0.5, 0.5]
+[[plane]]
+material = "floor"
+point = [0, 0]
+normal = [0, 1]
+[[plane]]
+name = "piston"
+point = [0, 0]
+normal = [1, 0]
+motion = "spring"
+stiffness = 10.0
+velocity = [0.02, 0.0]
+mass = 1.0
+[box]
+half_width = 10
+[stop]
+time = 25
+[output]
+frames = 0
+"""
+
+
+# One disc on a floor with friction that weakens in a step, pushed by a spring: with a = 0.15/k and w^2 = k/2 the force swings
+# about 0.25 by k (a^2 + (v/w)^2)^(1/2), and sticks for 2 a/v in each period of 2 a/v + (2 pi - 2 atan(a w/v))/w. It stays
+# above 0, so the piston never leaves the disc. Errors fall at least as fast as the step.
+def test_one_grain_on_a_spring_sticks_and_slips_as_the_theory(lab):
+    lab.scene(ONE_GRAIN)
+    a, k, v, w = 0.015, 10.0, 0.02, np.sqrt(5.0)
+    drop = 2.0 * k * np.hypot(a, v / w)
+    period = 2.0 * a / v + (2.0 * np.pi - 2.0 * np.arctan(a * w / v)) / w
+    errors = []
+    for step in (0.004, 0.001):
+        out = f"step-{step}"
+        settings = ["--set", f"method.time_step={step}", "--set", f"output.series={step}"]
+        assert lab("run", "scene.toml", "--out", out, "--quiet", *settings).returncode == 0
+        assert lab("analyse", out, "--slips", "--quiet").returncode == 0
+        with h5py.File(lab.path / out / "analysis.h5") as file:
+            begin, drops = file["slips/begin"][()], file["slips/drop"][()]
+        assert len(begin) >= 4
+        errors.append([abs(drops.mean() / drop - 1.0), abs(np.diff(begin).mean() / period - 1.0)])
+    assert max(errors[1]) < 1e-3
+    assert errors[0][0] > 4.0 * errors[1][0] and errors[0][1] > 4.0 * errors[1][1]
