@@ -75,3 +75,14 @@ def test_an_open_energy_budget(lab):
     (warning,) = [warning for warning in said(lab, scene % "0.0099") if "budget" in warning]
     assert "does not close: it misses" in warning and "of 5 supplied" in warning
     assert not any("budget" in warning for warning in said(lab, scene % "1e-4", "--overwrite"))
+
+
+# Through the seam of two pieces that meet, and beside it: each passage counts once, for the piece that the path cuts.
+def test_grains_that_go_through_a_seam_of_two_pieces(lab):
+    pieces = wall("left", (-2, 0), (0, 0)) + wall("right", (0, 0), (2, 0))
+    scene = "gravity = 0.0\n[method]\ntime_step = 0.002\n" + HOOKE % "10.0" + pieces + (
+        grain(0.001, 3, 0, -6) + grain(-1.2, 3.5, 0, -6) + grain(3.5, 3, 0, -6)) + "[stop]\ntime = 2\n"
+    crossed = [warning for warning in said(lab, scene) if "went through" in warning]
+    assert len(crossed) == 2
+    assert any('"left" once: first grain 1' in warning for warning in crossed), crossed
+    assert any('"right" once: first grain 0' in warning for warning in crossed)
