@@ -143,8 +143,9 @@ TEST(LawContract, CoulombLimit) {
       const double distance = reach(law.normal) * (0.9 + 0.0999 * number(index, 0));
       const auto touch = make_touch(distance, 1.0 / distance, 1.0, reach(law.normal), 3.0 * number(index, 1), 1.0);
       ContactHistory<double> history{0.3 * number(index, 2), 0.3 * number(index, 4)};
-      const auto force = contact_force(law, touch, 50.0 * number(index, 3), 5.0 * number(index, 5), 1e-3, history);
-      const double limit = coulomb_limit(law.tangential, force.normal);
+      const double slip_speed = 50.0 * number(index, 3);
+      const auto force = contact_force(law, touch, slip_speed, 5.0 * number(index, 5), 1e-3, history);
+      const double limit = coulomb_limit(law.tangential, force.normal, slip_speed);
       EXPECT_LE(std::fabs(force.tangential), limit * (1.0 + 1e-12));
       EXPECT_LE(std::fabs(force.rolling), 0.1 * force.normal.total * (1.0 + 1e-12));
       sliding += limit > 0.0 && std::fabs(force.tangential) > limit * (1.0 - 1e-9) ? 1 : 0;

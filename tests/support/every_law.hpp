@@ -33,8 +33,8 @@ inline std::vector<NormalLaw> every_normal_law() {
       {Continuous::make(36, 1.2, 0.5, 1.0), Hooke{2e4, 0.3}, Hertz{1e5, 0.3}, ElasticHertz{1.5e5, 0.3}});
 }
 inline std::vector<TangentialLaw> every_tangential_law() {
-  return and_all_others<TangentialLaw>(
-      {Cumulative{0.5, 1.214}, Linear{0.5, 6e3, 0.1}, Mindlin{0.5, 0.8, 0.1}, Viscous{0.5, 20.0}});
+  return and_all_others<TangentialLaw>({Cumulative{0.5, 1.214}, Linear{0.5, 6e3, 0.1}, Mindlin{0.5, 0.8, 0.1},
+                                        Viscous{0.5, 20.0}, Weakening{0.5, 6e3, 0.1, 0.2, 0.1}});
 }
 inline std::vector<RollingLaw> every_rolling_law() {
   return and_all_others<RollingLaw>(

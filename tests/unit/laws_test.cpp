@@ -98,6 +98,23 @@ TEST(LinearLaw, SpringThenSlip) {
   EXPECT_NEAR(tangential_force(law, touch, normal, -1.0, 0.001, delta), -0.4, 1e-12);
 }
 
+// Friction falls linearly with the speed of slip from 0.5 to 0.2 at 0.1, and stays there. While the contact slides, the
+// displacement keeps the value that gives the capped force; a contact that stops holds again up to the static limit.
+TEST(WeakeningLaw, FrictionFallsWithTheSlip) {
+  const Weakening law{0.5, 100.0, 0.0, 0.2, 0.1};
+  const NormalForce<double> normal{2.0, 2.0};
+  const auto touch = touch_at(0.99, 1.0);
+  for (const auto& [speed, friction] :
+       {std::pair{0.0, 0.5}, std::pair{0.05, 0.35}, std::pair{0.1, 0.2}, std::pair{3.0, 0.2}}) {
+    EXPECT_NEAR(law.friction_at(speed), friction, 1e-15);
+    double delta = 1.0;
+    EXPECT_NEAR(tangential_force(law, touch, normal, speed, 0.001, delta), -2.0 * friction, 1e-12);
+    EXPECT_NEAR(delta, 0.02 * friction, 1e-15);
+    EXPECT_NEAR(coulomb_limit(law, normal, speed), 2.0 * friction, 1e-15);
+  }
+  EXPECT_NEAR(coulomb_limit(law, normal), 1.0, 1e-15);
+}
+
 // Frequencies: n = 36 and a fall of 100 give w dt = 0.458 at dt = 0.001, n = 144 gives 1.54; Hooke has sqrt(k).
 TEST(TimeStep, StiffestContactOfAFall) {
   const auto frequency = [](const NormalLaw& normal, const TangentialLaw& tangential, const GrainSize& mover = {}) {

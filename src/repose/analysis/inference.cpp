@@ -57,6 +57,17 @@ Inference mean_by_t(const std::vector<double>& values) {
   return inference;
 }
 
+Inference value_by_t(double value, double error, double freedom) {
+  Inference inference;
+  inference.test = "t";
+  inference.value = value;
+  if (!(freedom > 0.0) || std::isnan(value) || std::isnan(error)) return inference;
+  inference.error = error;
+  inference.freedom = freedom;
+  judge_by_t(inference);
+  return inference;
+}
+
 Inference paired_difference(const std::vector<double>& first, const std::vector<double>& second) {
   std::vector<double> differences;
   for (std::size_t k = 0; k < std::min(first.size(), second.size()); ++k) differences.push_back(first[k] - second[k]);

@@ -34,6 +34,9 @@ struct Inference {
 /// The mean of a sample by Student's t. NaNs are left out.
 Inference mean_by_t(const std::vector<double>& values);
 
+/// A value with its standard error, by Student's t with these degrees of freedom.
+Inference value_by_t(double value, double error, double freedom);
+
 /// The mean of first[k] - second[k], values of the same seed, by Student's t. Pairs with a NaN are left out.
 Inference paired_difference(const std::vector<double>& first, const std::vector<double>& second);
 

@@ -117,10 +117,10 @@ RivalLaw against_exponential(const Sample& sample, const Fit& fit) {
 double scaled_erfc(double z) { return reproducible::exp(z * z) * reproducible::erfc(z); }
 
 /// The mean of t with the density exp(-2 z t - t^2) over t > 0, and that of its square over the square of the mean.
-struct Moments {
+struct TailMoments {
   double mean = 0.0, ratio = 0.0;
 };
-Moments moments_at(double z) {
+TailMoments moments_at(double z) {
   const double mean = 1.0 / (std::sqrt(std::numbers::pi) * scaled_erfc(z)) - z;
   return {mean, (0.5 - z * mean) / (mean * mean)};
 }

@@ -5,8 +5,8 @@
 #include "repose/api/measures_of_record.hpp"
 #include "repose/io/folders.hpp"
 #include "repose/record/record_file.hpp"
-#include "repose/results/results.hpp"
 #include "repose/results/summary.hpp"
+#include "repose/run_folder/further_analysis.hpp"
 #include "repose/run_folder/run_folder.hpp"
 #include "repose/scene/toml_file.hpp"
 #include "repose/sweep/table.hpp"
@@ -26,13 +26,13 @@ std::vector<Measure> measures_in(const std::string& summary, const std::string& 
 }  // namespace
 
 std::vector<Measure> measures_of_record(const Record& record) {
-  return measures_in(summary_text(record, repose::analyse(record)), "summary");
+  return measures_in(summary_text(record, repose::analyse(record, {})), "summary");
 }
 
 std::vector<Measure> analyse(const std::string& folder) {
   const FolderLock lock(folder);
   const auto record = read_record(folder);
-  write_results(folder, lock, record, repose::analyse(record));
+  write_results(folder, lock, record, repose::analyse(record, {}));
   return measures(folder);
 }
 

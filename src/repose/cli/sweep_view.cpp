@@ -86,10 +86,24 @@ std::string claim_text(const Claim& claim, const Verdict& verdict) {
   return text;
 }
 
+std::string fit_text(const HeightFit& fit) {
+  if (!fit.problem.empty()) return fmt::format("fit {}: none: {}\n", fit.name, fit.problem);
+  const auto value = [&](const char* measure) {
+    const auto found = infer(fit, measure);
+    return fmt::format("{:.4g} +- {:.2g}", found.value, found.error);
+  };
+  return fmt::format(
+      "fit {}: lambda {} (chance {:.2g}); lambda_1 {}, lambda_2 {} (chance {:.2g}), ratio {}; K {}, from the loads "
+      "{}\n",
+      fit.name, value("lambda"), fit.chance_one, value("lambda_1"), value("lambda_2"), fit.chance_two, value("ratio"),
+      value("stress_ratio"), value("stress_ratio_direct"));
+}
+
 /// What the numbers of a table mean, and the claims.
 std::string claims_text(const SweepPlan& plan, const SweepTable& table) {
   std::string text = "mean +- standard error of the members; of a mean profile by the bootstrap\n";
   text += missing_text(plan, table);
+  for (const auto& fit : table.fits) text += fit_text(fit);
   if (plan.claims.empty()) return text;
   text += "\n";
   for (std::size_t k = 0; k < plan.claims.size(); ++k) text += claim_text(plan.claims[k], table.verdicts[k]);
@@ -133,7 +147,8 @@ std::string describe_table(const SweepFolder& folder, const SweepTable& table) {
   }
   text += claims_text(plan, table);
   text += fmt::format("\nwritten          {}/table.csv, members.csv, {}sweep.h5\n", folder.path(),
-                      plan.claims.empty() ? "" : "claims.csv, claims.json, ");
+                      std::string(plan.claims.empty() ? "" : "claims.csv, claims.json, ") +
+                          (plan.fits.empty() ? "" : "heights.csv, heights.json, "));
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include "repose/core/errors.hpp"
 #include "repose/determinacy/base_sums.hpp"
 #include "repose/determinacy/equilibrium.hpp"
+#include "repose/record/find_pipe.hpp"
 #include "repose/simulation/loads.hpp"
 #include "repose/simulation/methods.hpp"
 
@@ -32,12 +33,40 @@ constexpr double most_unbalanced = 0.05;
 /// The cold solution may take more sweeps than a step of a run, which starts near its solution.
 constexpr long most_cold_sweeps = 20000;
 
+/// A wall that goes at a speed, or is pulled by a spring, holds grains in equilibrium as one that stands does, while it
+/// goes slowly: the balance of the recorded forces shows whether it does.
+bool goes_straight(const WallMotion<2>& motion) {
+  return motion.kind == WallMotion<2>::Kind::velocity || motion.kind == WallMotion<2>::Kind::spring;
+}
+
+/// The record with these walls at rest where they are.
+Record with_standing_walls(Record record) {
+  auto wall = record.walls.begin() + (record.scene.base->wall(record.scene) ? 1 : 0);
+  const auto shifted = [](std::array<double, 2> point, const Vec<2>& shift) {
+    return std::array<double, 2>{point[0] + shift[0], point[1] + shift[1]};
+  };
+  for (auto* walls : {&record.scene.planes, &record.scene.pieces}) {
+    for (auto& from : *walls) {
+      auto& at = *wall++;
+      if (!goes_straight(at.wall.motion)) continue;
+      const Vec<2> shift = at.wall.point - at.start;
+      from.point = shifted(from.point, shift);
+      from.from = shifted(from.from, shift);
+      from.to = shifted(from.to, shift);
+      from.motion = StandingWall();
+      at.wall.motion = {};
+    }
+  }
+  return record;
+}
+
 std::string reason_against(const Record& record) {
   if (record.facts.status == Status::failed) return "the run failed: its last state is not to be trusted";
   if (!(record.scene.grain_weight() > 0.0)) return "grains have no weight";
-  if (std::any_of(record.walls.begin(), record.walls.end(),
-                  [](const auto& w) { return w.wall.motion.kind != WallMotion<2>::Kind::none; })) {
-    return "a wall moves";
+  if (std::any_of(record.walls.begin(), record.walls.end(), [](const auto& w) {
+        return w.wall.motion.kind != WallMotion<2>::Kind::none && !goes_straight(w.wall.motion);
+      })) {
+    return "a wall shakes, turns, or bears a given force";
   }
   return "";
 }
@@ -114,6 +143,12 @@ class Ranges {
     if (range_.central_force.least > margin) {
       range_.dip.most = extreme_ratio(outer, inner, range_.dip.warm, true);
     }
+  }
+
+  void of_load(const ForceSum& load, double weight) {
+    if (load.terms.empty() || !(weight > 0.0)) return;
+    range_.load_ratio = {number(equilibrium_.least(load)) / weight, number(equilibrium_.most(load)) / weight,
+                         load(cold_) / weight, load(equilibrium_.recorded()) / weight};
   }
 
   /// Whether the simplex method gave up on a programme: recorded forces show that each has a solution.
@@ -219,6 +254,22 @@ class Ranges {
   bool failed_ = false;
 };
 
+/// The load on the floor of a column: on the level walls below it.
+ForceSum floor_load(const Record& record, const PipeWalls& pipe, const ContactProblem& posed) {
+  ForceSum sum;
+  if (record.column_series.empty() || !pipe.floor) return sum;
+  const double middle = record.walls[*pipe.floor].wall.point[1] + record.column_series.back().centre;
+  for (std::size_t k = 0; k < posed.problem.contacts.size(); ++k) {
+    const auto body = posed.problem.contacts[k].second;
+    const auto wall = -1 - posed.places[body].id;
+    if (wall < 0) continue;
+    const auto w = static_cast<std::size_t>(wall);
+    if (w == pipe.left || w == pipe.right || !(record.walls[w].wall.point[1] < middle)) continue;
+    sum.terms.push_back(force_on_body(posed.problem, k, body, {{0.0, -1.0}}));
+  }
+  return sum;
+}
+
 ContactForces cold_forces(const Record& record, ContactProblem posed, ForceRange& range) {
   const auto& limits = *record.scene.method->solver();
   contact_dynamics::SolverSettings settings;
@@ -230,7 +281,8 @@ ContactForces cold_forces(const Record& record, ContactProblem posed, ForceRange
 
 }  // namespace
 
-ForceRange force_range(const Record& record, const Results& results) {
+ForceRange force_range(const Record& given, const Results& results) {
+  const auto record = with_standing_walls(given);
   const auto& scene = record.scene;
   if (scene.method->solver() == nullptr) {
     throw InputError(
@@ -239,7 +291,7 @@ ForceRange force_range(const Record& record, const Results& results) {
                     scene.method->name()));
   }
   ForceRange range;
-  range.problem = reason_against(record);
+  range.problem = reason_against(given);
   if (!range.problem.empty()) return range;
   // The key exists where the packing is measured.
   range.contact_gap = *scene.analysis.packing ? scene.analysis.contact_gap : scene.method->traits().contact_gap;
@@ -264,8 +316,11 @@ ForceRange force_range(const Record& record, const Results& results) {
   if (const auto dip = dip_of(results, base.profile(equilibrium.recorded()))) ranges.of_dip(*dip);
   ranges.of_bins(binned(base.profile(equilibrium.recorded()), scene.analysis.base_bin));
   ranges.of_largest();
+  if (const auto pipe = find_pipe(scene); pipe && results.column) {
+    ranges.of_load(floor_load(record, *pipe, posed), results.column->mass / scene.usual_mass());
+  }
   if (ranges.failed()) {
-    range.central_force = range.dip = range.largest = {};
+    range.central_force = range.dip = range.largest = range.load_ratio = {};
     range.base = {};
     range.problem = "the simplex method found no extreme for a sum of forces: rounding is too large";
   }

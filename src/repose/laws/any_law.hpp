@@ -50,6 +50,11 @@ REPOSE_FN Tangential displaced(const AnyTangential& chosen, const Touch<double>&
 REPOSE_FN double coulomb_limit(const AnyTangential& chosen, const NormalForce<double>& normal) {
   return std::visit([&](const auto& law) { return coulomb_limit(law, normal); }, chosen.law);
 }
+template <class Tangential>
+REPOSE_FN double coulomb_limit(const AnyTangential& chosen, const NormalForce<double>& normal,
+                               const Tangential& slip_velocity) {
+  return std::visit([&](const auto& law) { return coulomb_limit(law, normal, slip_velocity); }, chosen.law);
+}
 
 template <class Tangential>
 double stored_energy(const AnyTangential& chosen, const Touch<double>& touch, const NormalForce<double>& normal,

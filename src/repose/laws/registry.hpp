@@ -19,6 +19,7 @@
 #include "repose/laws/tangential/mindlin.hpp"
 #include "repose/laws/tangential/none.hpp"
 #include "repose/laws/tangential/viscous.hpp"
+#include "repose/laws/tangential/weakening.hpp"
 
 #include <cstddef>
 #include <variant>
@@ -28,7 +29,7 @@ namespace repose {
 
 /// Every law, by kind. A new law needs its header and one entry here.
 using NormalLaw = std::variant<Continuous, Hooke, Hertz, ElasticHertz>;
-using TangentialLaw = std::variant<Cumulative, Linear, Mindlin, Viscous, None>;
+using TangentialLaw = std::variant<Cumulative, Linear, Mindlin, Viscous, None, Weakening>;
 using RollingLaw = std::variant<FreeRolling, RollingSpring, RollingViscous, RollingConstant>;
 using CohesionLaw = std::variant<NoCohesion, ConstantCohesion, Jkr>;
 

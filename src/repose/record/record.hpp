@@ -3,6 +3,7 @@
 #pragma once
 
 #include "repose/analysis/base_profile.hpp"
+#include "repose/analysis/pipe.hpp"
 #include "repose/core/collision_account.hpp"
 #include "repose/core/contacts.hpp"
 #include "repose/core/energy.hpp"
@@ -77,7 +78,9 @@ struct Record {
   OrderedGrains<2> grains;
   Contacts<2> contacts;
   std::vector<SeriesRow> series;
-  std::vector<WallRow> wall_series;  ///< for each row of the series, a row for each wall
+  std::vector<WallRow> wall_series;        ///< for each row of the series, a row for each wall
+  std::vector<ColumnRow> column_series;    ///< for each row of the series; empty where the scene has no pipe
+  std::vector<ColumnSlice> column_slices;  ///< for each of these, output.slices from the floor up
   BaseProfile base;
   Track track;
 };

@@ -24,6 +24,9 @@ const Group<std::vector<RecordedWall>>& wall_group();
 const Group<std::vector<SeriesRow>>& series_group();
 const Columns<Record>& wall_series_columns();
 
+/// The column in a pipe, row by row of the time series.
+const Group<Record>& column_group();
+
 /// The energy budget, what the solver did and what collided, row by row of the time series.
 const Group<std::vector<SeriesRow>>& energy_group();
 const Group<std::vector<SeriesRow>>& solver_group();

@@ -32,6 +32,7 @@ std::vector<ReferenceTable> run_folder_reference() {
       with_paths(wall_group()),
       with_paths(series_group()),
       reference_of("series of walls", "/series/", "R", wall_series_columns()),
+      with_paths(column_group()),
       with_paths(energy_group()),
       with_paths(solver_group()),
       with_paths(collision_group()),

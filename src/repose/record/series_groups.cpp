@@ -42,6 +42,25 @@ Column<Record> wall_stress_column(const std::string& name, double (*of)(const Wa
   return made;
 }
 
+/// A number of each slice of a column in each row of the series.
+Column<Record> slice_column(const std::string& name, double ColumnSlice::*entry, const std::string& unit,
+                            const std::string& meaning) {
+  Column<Record> made{name, unit, meaning, "S", type_name<double>, {}};
+  made.write = [=](Hdf5File& file, const std::string& path, const Record& record) {
+    std::vector<double> values;
+    for (const auto& slice : record.column_slices) values.push_back(slice.*entry);
+    file.table(path, values, static_cast<std::size_t>(record.scene.output.slices), unit, meaning);
+  };
+  made.read = [=](const Hdf5Reader& file, const std::string& path, Record& record) {
+    const auto slices = static_cast<std::size_t>(record.scene.output.slices);
+    const auto values = file.table<double>(path, slices);
+    record.column_slices.resize(values.size());
+    for (std::size_t k = 0; k < values.size(); ++k) record.column_slices[k].*entry = values[k];
+    return values.size() / slices;
+  };
+  return made;
+}
+
 Column<std::vector<SeriesRow>> energy_column(const std::string& name, double Energy::*entry,
                                              const std::string& meaning) {
   return column<SeriesRow>(
@@ -115,6 +134,30 @@ const Columns<Record>& wall_series_columns() {
           "of the contacts at that time about the middle of that length, counter-clockwise"),
   };
   return list;
+}
+
+const Group<Record>& column_group() {
+  static const auto group = [] {
+    const Columns<std::vector<ColumnRow>> rows{
+        column("height", &ColumnRow::height, "L",
+               "mean height of the surface above the floor, in strips of a mean diameter"),
+        column("centre", &ColumnRow::centre, "L", "of the centre of mass above the floor"),
+        column("solid_fraction", &ColumnRow::solid_fraction, "",
+               "disc area over area of the slices but the lowest and the highest tenth of them"),
+    };
+    Group<Record> made{"column", "R", {}, columns_of<Record>(rows, &Record::column_series)};
+    made.columns.push_back(slice_column("slice_top", &ColumnSlice::top, "L", "upper level of each above the floor"));
+    made.columns.push_back(slice_column("slice_mass", &ColumnSlice::mass, "M", "of the grains with centres in it"));
+    made.columns.push_back(slice_column("slice_pressure", &ColumnSlice::pressure, "M/T^2",
+                                        "normal force of these grains on the two walls, per length of wall"));
+    made.columns.push_back(slice_column("slice_shear", &ColumnSlice::shear, "M/T^2",
+                                        "upward force of the two walls on these grains, per length of wall"));
+    made.columns.push_back(slice_column(
+        "slice_load", &ColumnSlice::load, "M L/T^2",
+        "upward force through its lower level on the grains with centres above; of the first that of the floor"));
+    return made;
+  }();
+  return group;
 }
 
 const Group<std::vector<SeriesRow>>& energy_group() {

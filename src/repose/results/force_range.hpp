@@ -38,6 +38,7 @@ struct ForceRange {
   AllowedRange central_force;                 ///< [grain weights] mean over base grains within 0.15 half-widths
   AllowedRange dip;                           ///< dip index
   AllowedRange largest;                       ///< [grain weights] on any base grain
+  AllowedRange load_ratio;                    ///< load of the floor of a column over its weight
   BinnedRange base;
 
   std::int64_t degree() const { return unknowns - equations; }

@@ -184,6 +184,7 @@ Results analyse(const Record& record) {
   results.network = measure_force_network(grains, contacts, in_heap, threshold);
   results.max_overlap = max_overlap(contacts);
   results.walls = mean_wall_forces(record);
+  results.column = measure_column_of(record);
   results.dip = base_dip(record.base);
   if (results.dip) results.base_scatter = base_scatter(record.base, results.dip->centre, results.dip->half_width);
   results.base = binned(record.base, scene.analysis.base_bin);

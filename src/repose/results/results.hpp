@@ -15,6 +15,7 @@
 #include "repose/analysis/packing.hpp"
 #include "repose/analysis/voronoi.hpp"
 #include "repose/record/record.hpp"
+#include "repose/results/column.hpp"
 #include "repose/results/force_range.hpp"
 #include "repose/results/slips.hpp"
 #include "repose/results/stability.hpp"
@@ -37,6 +38,7 @@ struct Results {
   double max_overlap = 0.0;            ///< over the mean diameter of the pair
   double force_unit = 0.0;             ///< [M L/T^2] by analysis.force_scale
   WallForces walls;                    ///< mean over output.window
+  std::optional<ColumnState> column;   ///< where two upright walls face each other
   double base_height = 0.0;            ///< [L]
   std::optional<double> weight_error;  ///< vertical force on the supports over the weight they carry, less 1
   std::vector<VoronoiCell> cells;

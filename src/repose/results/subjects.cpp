@@ -16,6 +16,7 @@ void add_force_range(Registry& to);
 void add_stability(Registry& to);
 void add_slips(Registry& to);
 void add_walls(Registry& to);
+void add_column(Registry& to);
 void add_fields(Registry& to);
 void add_grain_stress(Registry& to);
 void add_packing(Registry& to);
@@ -38,6 +39,7 @@ std::vector<Subject> subjects() {
       add_stability,          //
       add_slips,              //
       add_walls,              //
+      add_column,             //
       add_fields,             //
       add_grain_stress,       //
       add_packing,            //

@@ -12,7 +12,7 @@ Results analyse(const Record& record, const FurtherAnalysis& further) {
   auto results = analyse(record);
   if (further.force_range) results.force_range = force_range(record, results);
   if (further.stability) results.stability = stability(record);
-  if (further.slips) results.slips = slips(record);
+  if (further.slips || record.scene.analysis.slips) results.slips = slips(record);
   return results;
 }
 

@@ -14,7 +14,8 @@ struct FurtherAnalysis {
   bool slips = false;        ///< slips/slips.hpp
 };
 
-/// The analysis of a record, with that. Throws InputError where the record has no force range.
+/// The analysis of a record, with that and with what its scene asks for. Throws InputError where the record has no
+/// force range.
 Results analyse(const Record& record, const FurtherAnalysis& further);
 
 }  // namespace repose

@@ -6,6 +6,7 @@
 #include "repose/io/folders.hpp"
 #include "repose/record/record_file.hpp"
 #include "repose/results/summary.hpp"
+#include "repose/run_folder/further_analysis.hpp"
 #include "repose/scene/read.hpp"
 #include "repose/scene/toml_file.hpp"
 
@@ -31,7 +32,7 @@ bool complete_analysis(const std::string& folder, const FolderLock& lock) {
   const auto path = folder + "/summary.json";
   if (path_exists(path) && summary_status(text_of_file(path)) == status_text(Status::finished)) return false;
   const auto record = read_record(folder);
-  write_results(folder, lock, record, analyse(record));
+  write_results(folder, lock, record, analyse(record, {}));
   return true;
 }
 

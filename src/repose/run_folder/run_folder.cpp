@@ -12,6 +12,7 @@
 #include "repose/record/track_file.hpp"
 #include "repose/results/analysis_file.hpp"
 #include "repose/results/summary.hpp"
+#include "repose/run_folder/further_analysis.hpp"
 #include "repose/scene/write.hpp"
 
 #include <fmt/format.h>
@@ -209,7 +210,7 @@ void RunFolder::write(const Simulation& simulation, const Written& written) {
 void RunFolder::write_run(const Record& record, const Written& written) {
   lock_->check_place();
   write_record(path_ + "/run.h5", record, frames_, segments_);
-  const auto results = analyse(record);
+  const auto results = analyse(record, {});
   write_results(path_, *lock_, record, results);
   if (written) written(record, results);
 }

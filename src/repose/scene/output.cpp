@@ -37,6 +37,10 @@ void file_keys(Scene& scene, Parameters& keys) {
   if (in_time) {
     keys.number("output.window", output.window, {10.0 * fall, "10 sqrt(d/g); 10 without gravity"}, positive, unit,
                 "interval at the end over which base forces are averaged");
+    if (traits.has_forces()) {
+      keys.integer("output.slices", output.slices, {.low = 2, .high = 1000},
+                   "slices of equal disc area in which the time series follows a column between two upright walls");
+    }
     keys.number("output.track", output.track, not_negative, unit,
                 "interval between moments at which the place of every grain is kept, for avalanches; 0: none");
   } else {
@@ -74,6 +78,8 @@ void force_keys(Scene& scene, Parameters& keys) {
   keys.number("analysis.moved", analysis.moved, {0.5 * d, "0.5 d"}, positive, "L",
               "a grain that is displaced farther between two moments of the track has moved");
   keys.integer("analysis.avalanche", analysis.avalanche, {.low = 1}, "grains that move at once in an avalanche");
+  keys.flag("analysis.slips", analysis.slips,
+            "find the slips of a driven wall whenever the run is analysed, as `repose analyse --slips` does once");
   keys.number("analysis.burst", analysis.burst, positive, "force units times diameters",
               "kinetic energy of the heap above which a burst is counted");
 }

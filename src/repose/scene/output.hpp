@@ -27,6 +27,7 @@ struct OutputKeys {
   double track = 0.0;        ///< [T] between two moments of the track; 0: none
   double checkpoint = 60.0;  ///< [s] of wall time between checkpoints; 0: only when interrupted
   bool energy = false;       ///< keep the energy budget
+  std::int64_t slices = 20;  ///< of a column between two upright walls
 };
 
 struct AnalysisKeys {
@@ -48,6 +49,7 @@ struct AnalysisKeys {
   bool correlations = false;
   bool structure_factor = false;
   bool local_density = false;
+  bool slips = false;  ///< find the slips of a driven wall
 };
 
 /// stop.*, output.* and analysis.*.

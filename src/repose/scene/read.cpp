@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <numbers>
+#include <optional>
 
 namespace repose {
 
@@ -30,7 +31,34 @@ std::string trimmed(const std::string& text) {
 
 std::string key_of(const std::string& setting) { return trimmed(setting.substr(0, setting.find('='))); }
 
-/// Puts "a.b=value" into the table; returns the key, or adds a problem and returns "".
+/// The entry of a list of tables with this name, by its number.
+std::optional<std::size_t> entry_named(const toml::array& list, const std::string& name) {
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const auto* entry = list[k].as_table();
+    if (entry != nullptr && entry->get("name") != nullptr && entry->get("name")->value<std::string>() == name) return k;
+  }
+  return std::nullopt;
+}
+
+/// The table of the next steps of a key, from one step on. A list of tables, such as the planes, has its names as
+/// steps. `read` becomes the key as it is read, with numbers of entries. Null where there is no such table.
+toml::table* step_into(toml::table& table, const std::string& step, std::string& rest, std::string& read) {
+  if (table.get(step) == nullptr) table.insert(step, toml::table{});
+  read += step;
+  auto* list = table.get(step)->as_array();
+  if (list == nullptr) {
+    read += ".";
+    return table.get(step)->as_table();
+  }
+  const auto dot = rest.find('.');
+  const auto entry = entry_named(*list, rest.substr(0, dot));
+  if (dot == std::string::npos || !entry) return nullptr;
+  rest = rest.substr(dot + 1);
+  read += fmt::format("[{}].", *entry);
+  return (*list)[*entry].as_table();
+}
+
+/// Puts "a.b=value" into the table; returns the key as it is read, or adds a problem and returns "".
 std::string apply(const std::string& setting, const std::string& origin, toml::table& root,
                   std::vector<std::string>& problems) {
   const auto equals = setting.find('=');
@@ -41,7 +69,7 @@ std::string apply(const std::string& setting, const std::string& origin, toml::t
     return "";
   }
   if (key.find('[') != std::string::npos) {
-    problems.push_back(fmt::format("{}: entries of lists are set in the scene file only", origin));
+    problems.push_back(fmt::format("{}: an entry of a list is named, as in plane.NAME.point", origin));
     return "";
   }
   if (static_cast<std::size_t>(std::count(key.begin(), key.end(), '.')) >= most_key_steps) {
@@ -57,18 +85,24 @@ std::string apply(const std::string& setting, const std::string& origin, toml::t
   }
   toml::table* table = &root;
   std::string rest = key;
+  std::string read;
   for (auto dot = rest.find('.'); dot != std::string::npos; dot = rest.find('.')) {
     const std::string step = rest.substr(0, dot);
-    if (table->get(step) == nullptr) table->insert(step, toml::table{});
-    table = table->get(step)->as_table();
-    if (table == nullptr) {
-      problems.push_back(fmt::format("{}: {}: \"{}\" is not a table", origin, key, step));
+    rest = rest.substr(dot + 1);
+    auto* next = step_into(*table, step, rest, read);
+    if (next == nullptr) {
+      const bool is_list = table->get(step)->is_array();
+      problems.push_back(fmt::format("{}: {}: {}", origin, key,
+                                     is_list ? fmt::format("\"{}\" is a list; a key of it is {}.NAME.KEY, where an "
+                                                           "entry has that name",
+                                                           step, step)
+                                             : fmt::format("\"{}\" is not a table", step)));
       return "";
     }
-    rest = rest.substr(dot + 1);
+    table = next;
   }
   table->insert_or_assign(rest, *holder.get("value"));
-  return key;
+  return read + rest;
 }
 
 /// What one key alone cannot tell. A method judges its step last, for which all else must be sound.

@@ -4,6 +4,7 @@
 
 #include "repose/record/record.hpp"
 #include "repose/scene/geometry.hpp"
+#include "repose/simulation/series.hpp"
 #include "repose/simulation/sources/initial.hpp"
 
 #include <algorithm>
@@ -38,7 +39,9 @@ double expected_memory(const Scene& scene) {
     return interval > 0.0 ? reached / std::max(interval, scene.time_step()) : 0.0;
   };
   const auto walls = static_cast<double>(make_walls(scene).size());
-  memory += copies * times(scene.output.series) * (sizeof(SeriesRow) + walls * sizeof(WallRow));
+  const auto slices = static_cast<double>(followed_slices(scene));
+  memory += copies * times(scene.output.series) *
+            (sizeof(SeriesRow) + walls * sizeof(WallRow) + slices * sizeof(ColumnSlice));
   memory += copies * times(scene.output.track) * grains * sizeof(TrackedGrain);
   return memory;
 }

@@ -5,6 +5,7 @@
 #include "repose/analysis/force_network.hpp"
 #include "repose/analysis/heap.hpp"
 #include "repose/analysis/wall_span.hpp"
+#include "repose/record/find_pipe.hpp"
 #include "repose/record/force_unit.hpp"
 #include "repose/record/recorded_wall.hpp"
 #include "repose/scene/geometry.hpp"
@@ -48,6 +49,7 @@ void Series::add_row(const Simulation& simulation, Method<2>& method) {
   row.max_overlap = max_overlap(contacts);
   row.lost = simulation.lost();
   add_walls(simulation, contacts, method);
+  add_column(simulation, contacts, method);
   if (scene.output.energy) row.energy = method.energy(grains);
   if (scene.method->traits().collides) row.collisions = method.take_collision_account();
   if (scene.method->solver() != nullptr) {
@@ -72,10 +74,28 @@ void Series::add_walls(const Simulation& simulation, const Contacts<2>& contacts
   }
 }
 
-void Series::exchange(Archive& archive, std::size_t walls) {
+std::size_t followed_slices(const Scene& scene) {
+  return scene.method->traits().has_forces() && find_pipe(scene) ? static_cast<std::size_t>(scene.output.slices) : 0;
+}
+
+void Series::add_column(const Simulation& simulation, const Contacts<2>& contacts, const Method<2>& method) {
+  const auto& scene = simulation.scene();
+  const auto slices = followed_slices(scene);
+  if (slices == 0) return;
+  const auto walls = recorded_walls(scene, method.walls(), simulation.time());
+  const auto column = measure_column(find_pipe(scene)->at(walls), simulation.grains(), contacts, slices);
+  columns_.push_back(column.row);
+  slices_.insert(slices_.end(), column.slices.begin(), column.slices.end());
+}
+
+void Series::exchange(Archive& archive, std::size_t walls, std::size_t slices) {
   archive.array("run/series", rows_);
   archive.array("run/walls", walls_);
   archive.check("run/walls", walls_.size() == rows_.size() * walls);
+  archive.array("run/columns", columns_);
+  archive.array("run/slices", slices_);
+  archive.check("run/columns", columns_.size() == (slices > 0 ? rows_.size() : 0));
+  archive.check("run/slices", slices_.size() == columns_.size() * slices);
 }
 
 }  // namespace repose

@@ -12,6 +12,9 @@ namespace repose {
 
 class Simulation;
 
+/// In how many slices the series follows the column of a scene; 0 where it has no pipe.
+std::size_t followed_slices(const Scene& scene);
+
 /// The time series of a run: one row after another, and of each row one of every wall.
 class Series {
  public:
@@ -20,14 +23,20 @@ class Series {
 
   const std::vector<SeriesRow>& rows() const { return rows_; }
   const std::vector<WallRow>& walls() const { return walls_; }
+  const std::vector<ColumnRow>& columns() const { return columns_; }
+  const std::vector<ColumnSlice>& slices() const { return slices_; }
 
-  void exchange(Archive& archive, std::size_t walls);
+  /// `slices`: of the column; 0 where the scene has no pipe.
+  void exchange(Archive& archive, std::size_t walls, std::size_t slices);
 
  private:
   void add_walls(const Simulation& simulation, const Contacts<2>& contacts, Method<2>& method);
+  void add_column(const Simulation& simulation, const Contacts<2>& contacts, const Method<2>& method);
 
   std::vector<SeriesRow> rows_;
   std::vector<WallRow> walls_;  // per row and wall
+  std::vector<ColumnRow> columns_;
+  std::vector<ColumnSlice> slices_;  // per row and slice
 };
 
 }  // namespace repose

@@ -262,7 +262,7 @@ void Simulation::exchange(Archive& archive) {
   archive.value("run/moving", moving_);
   archive.value("run/wall_seconds", seconds);
   loads_.exchange(archive);
-  series_.exchange(archive, method_->walls().size());
+  series_.exchange(archive, method_->walls().size(), followed_slices(scene_));
   base_forces_.exchange(archive);
   rest_.exchange(archive);
   source_->exchange(archive);
@@ -305,6 +305,8 @@ Record Simulation::record() const {
   facts.scene_hash = hash_of(scene_text(scene_));
   record.series = series_.rows();
   record.wall_series = series_.walls();
+  record.column_series = series_.columns();
+  record.column_slices = series_.slices();
   const double unit = scene_.base_force_unit();
   record.base = scene_.base->wall(scene_) ? floor_profile(*record.grains, record.contacts, base_wall, facts.time, unit)
                                           : base_forces_.profile(grains_, unit);

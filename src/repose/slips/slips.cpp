@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/slips/slips.hpp"
 
+#include "repose/analysis/statistics.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -14,6 +16,7 @@ using Kind = WallMotion<2>::Kind;
 
 constexpr double part_of_mean = 1e-3;  // of the force: smaller changes are no slips
 constexpr double left_out = 0.2;       // of the time since the wall set out, while the column packs
+constexpr double part_of_drive = 0.1;  // of the speed that drives it: a slower wall stands
 
 std::optional<std::size_t> driven_wall(const Record& record) {
   for (const auto kind : {Kind::spring, Kind::velocity}) {
@@ -36,9 +39,30 @@ std::vector<DriveRow> path_of(const Record& record, std::size_t w) {
     const double force = motion.kind == Kind::spring
                              ? motion.stiffness * (motion.speed * (time - motion.start) - at.displacement)
                              : -dot(at.force, motion.direction);
-    path.push_back({time, force, at.displacement});
+    const bool has_column = record.column_series.size() == record.series.size();
+    path.push_back({time, force, at.displacement, has_column ? record.column_series[row].solid_fraction : Slips::none});
   }
   return path;
+}
+
+/// Sets how fast the wall is driven, and for how much of the time it stands.
+void add_drive(const Record& record, const WallMotion<2>& motion, Slips& slips) {
+  slips.drive_speed = std::fabs(motion.speed);
+  if (motion.kind == Kind::spring && motion.stiffness > 0.0) {
+    double mass = motion.mass;
+    for (const auto& grain : record.grains->line) {
+      if (!grain.fixed()) mass += grain.mass;
+    }
+    slips.steady_speed = std::sqrt(mass / motion.stiffness) * record.scene.gravity;
+  }
+  const auto& path = slips.drive;
+  double stuck = 0.0;
+  for (std::size_t k = 1; k < path.size(); ++k) {
+    const double duration = path[k].time - path[k - 1].time;
+    const double moved = std::fabs(path[k].displacement - path[k - 1].displacement);
+    if (moved < part_of_drive * slips.drive_speed * duration) stuck += duration;
+  }
+  slips.stuck = stuck / (path.back().time - path.front().time);
 }
 
 }  // namespace
@@ -49,6 +73,7 @@ std::vector<Slip> find_slips(const std::vector<DriveRow>& path, double hysteresi
   std::size_t top = 0;          // largest force since the last slip
   std::size_t bottom = 0;       // smallest since then, during a slip
   double rested = Slips::none;  // displacement at the end of the slip before
+  double packed = Slips::none;  // solid fraction then
   bool slipping = false;
   for (std::size_t k = 0; k < path.size(); ++k) {
     if (!slipping) {
@@ -62,8 +87,10 @@ std::vector<Slip> find_slips(const std::vector<DriveRow>& path, double hysteresi
       const double before = found.empty() ? Slips::none : found.back().end;
       found.push_back({path[top].time, path[bottom].time, path[top].force, path[top].force - path[bottom].force,
                        path[bottom].displacement - path[top].displacement, path[top].time - before,
-                       path[top].displacement - rested});
+                       path[top].displacement - rested, path[top].solid_fraction / path[bottom].solid_fraction - 1.0,
+                       1.0 - packed / path[top].solid_fraction});
       rested = path[bottom].displacement;
+      packed = path[bottom].solid_fraction;
       slipping = false;
       top = k;
     }
@@ -88,9 +115,12 @@ Slips slips(const Record& record) {
   }
   result.from = path.front().time + left_out * (path.back().time - path.front().time);
   std::erase_if(path, [&](const auto& one) { return one.time < result.from; });
-  double sum = 0.0;
-  for (const auto& one : path) sum += one.force;
-  result.mean_force = sum / static_cast<double>(path.size());
+  std::vector<double> forces;
+  for (const auto& one : path) forces.push_back(one.force);
+  const auto force = mean_of(forces);
+  result.mean_force = force.mean;
+  result.deviation = force.deviation / std::fabs(force.mean);
+  add_drive(record, record.walls[*wall].wall.motion, result);
   result.hysteresis = part_of_mean * std::fabs(result.mean_force);
   result.events = find_slips(path, result.hysteresis);
   double in_slips = 0.0;

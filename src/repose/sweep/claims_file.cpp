@@ -35,6 +35,8 @@ const char* name_of(Claim::Kind kind) {
       return "difference";
     case Claim::Kind::equivalence:
       return "equivalence";
+    case Claim::Kind::fit:
+      return "fit";
   }
   return "";
 }
@@ -54,7 +56,7 @@ const std::vector<ClaimColumn>& claim_columns() {
       {"claim", "its text", of_claim(&Claim::text)},
       {"source", "who states it", of_claim(&Claim::source)},
       {"measure", "a column of `table.csv`", of_claim(&Claim::measure)},
-      {"kind", "value, difference or equivalence",
+      {"kind", "value, difference, equivalence or fit",
        [](const Claim& claim, const Verdict&) -> Cell { return name_of(claim.kind); }},
       {"points", "names, with spaces between",
        [](const Claim& claim, const Verdict&) -> Cell { return fmt::format("{}", fmt::join(claim.points, " ")); }},
@@ -68,8 +70,10 @@ const std::vector<ClaimColumn>& claim_columns() {
       {"high", "upper end", inferred(&Inference::high)},
       {"bias", "of the statistic, estimated by the bootstrap, not subtracted; none for means",
        inferred(&Inference::bias)},
-      {"test", "t, paired t, Welch t, bootstrap, paired bootstrap or unpaired bootstrap", inferred(&Inference::test)},
-      {"n", "members that the statistic is from; seeds where it is paired", inferred(&Inference::count)},
+      {"test", "t, paired t, Welch t, bootstrap, paired bootstrap, unpaired bootstrap or fit",
+       inferred(&Inference::test)},
+      {"n", "members that the statistic is from; seeds where it is paired; points of a fit",
+       inferred(&Inference::count)},
       {"n_missing", "finished members that are left out, because they lack the measure or their partner does",
        of_verdict(&Verdict::missing)},
       {"pair", "of an equivalence: the two points that decide",
@@ -81,6 +85,7 @@ const std::vector<ClaimColumn>& claim_columns() {
       {"p_holds_holm", "p_holds, adjusted for the number of claims", of_verdict(&Verdict::p_holds_holm)},
       {"p_fails_holm", "p_fails, adjusted likewise", of_verdict(&Verdict::p_fails_holm)},
       {"verdict_holm", "by the adjusted p-values", of_verdict(&Verdict::holm_word)},
+      {"fit", "name of the fit of which the measure is a number", of_claim(&Claim::fit)},
   };
   return columns;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/results/registry.hpp"
 #include "repose/sweep/ensemble_profile.hpp"
+#include "repose/sweep/height_fit.hpp"
 #include "repose/sweep/plan_reader.hpp"
 
 #include <fmt/format.h>
@@ -66,6 +67,19 @@ void SweepReader::check_measure(const toml::table& table, const std::string& pre
   }
 }
 
+/// A claim on a fit names one of the sweep, and one of its numbers; its points are those of the fit.
+void SweepReader::check_fit(const toml::table& table, const std::string& prefix, Claim& claim, const SweepPlan& plan) {
+  const auto& measures = height_fit_measures();
+  if (!claim.measure.empty() && std::find(measures.begin(), measures.end(), claim.measure) == measures.end()) {
+    problem(*table.get("measure"),
+            fmt::format("{}measure = \"{}\": a fit has {}", prefix, claim.measure, fmt::join(measures, ", ")));
+  }
+  for (const auto& fit : plan.fits) {
+    if (fit.name == claim.fit) return void(claim.points = fit.points);
+  }
+  problem(*table.get("fit"), fmt::format("{}fit = \"{}\": no such [[fit]]", prefix, claim.fit));
+}
+
 void SweepReader::read_claims(SweepPlan& plan) {
   const auto* list = list_of_tables("claim");
   if (list == nullptr) return;
@@ -77,7 +91,7 @@ void SweepReader::read_claims(SweepPlan& plan) {
       continue;
     }
     check_keys(table, prefix,
-               {"text", "source", "measure", "point", "difference", "equivalent", "above", "below", "margin"});
+               {"text", "source", "measure", "point", "difference", "equivalent", "fit", "above", "below", "margin"});
     Claim claim;
     claim.text = text(table, prefix, "text", true);
     claim.source = text(table, prefix, "source", false);
@@ -85,13 +99,18 @@ void SweepReader::read_claims(SweepPlan& plan) {
     const auto point = text(table, prefix, "point", false);
     const auto difference = names(table, prefix, "difference");
     const auto equivalent = names(table, prefix, "equivalent");
-    const int kinds = (point.empty() ? 0 : 1) + (difference.empty() ? 0 : 1) + (equivalent.empty() ? 0 : 1);
+    claim.fit = text(table, prefix, "fit", false);
+    const int kinds = (point.empty() ? 0 : 1) + (difference.empty() ? 0 : 1) + (equivalent.empty() ? 0 : 1) +
+                      (claim.fit.empty() ? 0 : 1);
     if (kinds != 1) {
-      problem(table, fmt::format("{}point: give one of point, difference and equivalent", prefix));
+      problem(table, fmt::format("{}point: give one of point, difference, equivalent and fit", prefix));
       continue;
     }
     if (!point.empty()) {
       claim.points = {point};
+    } else if (!claim.fit.empty()) {
+      claim.kind = Claim::Kind::fit;
+      check_fit(table, prefix, claim, plan);
     } else if (!difference.empty()) {
       claim.kind = Claim::Kind::difference;
       claim.points = difference;
@@ -101,7 +120,7 @@ void SweepReader::read_claims(SweepPlan& plan) {
       claim.points = equivalent;
     }
     read_bounds(table, prefix, claim);
-    check_measure(table, prefix, claim, plan);
+    if (claim.kind != Claim::Kind::fit) check_measure(table, prefix, claim, plan);
     for (const auto& name : claim.points) {
       const auto same = [&](const SweepPoint& other) { return other.name == name; };
       if (std::any_of(plan.points.begin(), plan.points.end(), same)) continue;

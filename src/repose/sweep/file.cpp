@@ -89,6 +89,10 @@ void write_sweep_file(const std::string& path, const SweepPlan& plan, const Swee
     write_group(file, profile_group(group), *table.profiles[p]);
     write_group(file, binned_group(group + "/binned"), table.profiles[p]->binned);
   }
+  file.group("columns");
+  for (std::size_t p = 0; p < plan.points.size(); ++p) {
+    if (table.columns[p]) write_group(file, column_group(fmt::format("columns/{:04}", p)), *table.columns[p]);
+  }
   file.commit();
 }
 

@@ -8,6 +8,7 @@
 #include "repose/io/hdf5_reader.hpp"
 #include "repose/io/named_file.hpp"
 #include "repose/record/record_file.hpp"
+#include "repose/results/column_layers.hpp"
 #include "repose/results/summary.hpp"
 #include "repose/run_folder/run_folder.hpp"
 #include "repose/scene/read.hpp"
@@ -28,8 +29,9 @@ namespace repose {
 
 namespace {
 
-constexpr const char* own_files[] = {"sweep.toml", "table.csv",    "members.csv",   "claims.csv",  "claims.json",
-                                     "sweep.h5",   "response.csv", "response.json", "summary.json"};
+constexpr const char* own_files[] = {"sweep.toml",  "table.csv",    "members.csv",  "claims.csv",
+                                     "claims.json", "sweep.h5",     "response.csv", "response.json",
+                                     "heights.csv", "heights.json", "summary.json"};
 constexpr const char* own_folders[] = {"scenes", "members", "pictures"};
 
 /// The content of a file; "" if it cannot be read.
@@ -39,6 +41,14 @@ std::string content_of(const fs::path& path) {
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();
+}
+
+/// The column that the analysis of a member found; empty without.
+std::vector<ColumnLayer> read_column(const std::string& path) {
+  const Hdf5Reader file(path);
+  std::vector<ColumnLayer> layers;
+  if (file.has("column")) read_columns(file, "column", column_layers(), layers);
+  return layers;
 }
 
 std::vector<Member> members_of(const SweepPlan& plan) {
@@ -159,6 +169,7 @@ SweepTable SweepFolder::table() const {
     if (row.status == "finished") {
       values[k] = measures(members_[k]);
       row.base = read_base(Hdf5Reader(member_path(members_[k]) + "/run.h5"));
+      row.column = read_column(member_path(members_[k]) + "/analysis.h5");
     }
     rows.push_back(std::move(row));
   }
@@ -183,6 +194,10 @@ void SweepFolder::write(const SweepTable& table) const {
   if (!plan_.claims.empty()) {
     write_text_file(path_ + "/claims.csv", claims_csv(plan_, table));
     write_text_file(path_ + "/claims.json", claims_json(plan_, table));
+  }
+  if (!plan_.fits.empty()) {
+    write_text_file(path_ + "/heights.csv", heights_csv(table.fits));
+    write_text_file(path_ + "/heights.json", heights_json(table.fits));
   }
   write_sweep_file(path_ + "/sweep.h5", plan_, table);
   const auto responses =

@@ -90,6 +90,30 @@ Group<EnsembleProfile> profile_group(const std::string& name) {
       }};
 }
 
+Group<EnsembleColumn> column_group(const std::string& name) {
+  using Rows = std::vector<EnsembleLayer>;
+  Columns<Rows> columns;
+  const auto add = [&](const std::string& dataset, Estimate EnsembleLayer::*number, const std::string& unit,
+                       const std::string& meaning) {
+    columns.push_back(column<EnsembleLayer>(
+        dataset, [=](const EnsembleLayer& layer) { return (layer.*number).mean; }, unit, meaning));
+    columns.push_back(column<EnsembleLayer>(
+        dataset + "_error", [=](const EnsembleLayer& layer) { return (layer.*number).error; }, unit,
+        "standard error between members"));
+  };
+  add("depth", &EnsembleLayer::depth, "L", "of the middle of the slice below the surface");
+  add("solid_fraction", &EnsembleLayer::solid_fraction, "", "disc area over area");
+  add("pressure", &EnsembleLayer::pressure, "M/T^2", "on the two walls");
+  add("shear", &EnsembleLayer::shear, "M/T^2", "of the two walls, upwards on the grains");
+  add("stress", &EnsembleLayer::stress, "M/T^2", "vertical");
+  add("load", &EnsembleLayer::load, "M L/T^2", "upward force through the lower level");
+  return {name,
+          "S",
+          {attribute("members", &EnsembleColumn::members, "", "that the means are over"),
+           attribute("mass", &EnsembleColumn::mass, "M", "mean of a column")},
+          columns_of<EnsembleColumn>(columns, &EnsembleColumn::layers)};
+}
+
 Group<BinnedProfile> binned_group(const std::string& name) {
   return {name,
           "bins",
@@ -105,6 +129,7 @@ Group<BinnedProfile> binned_group(const std::string& name) {
 
 std::vector<ReferenceTable> sweep_reference() {
   const auto profile = profile_group("profiles");
+  const auto of_column = column_group("columns");
   return {
       claims_reference(),
       reference_of("points", "/points/", point_group().rows, point_group().columns),
@@ -112,6 +137,8 @@ std::vector<ReferenceTable> sweep_reference() {
       reference_of("members", "/members/", member_group().rows, member_group().columns),
       reference_of("profiles", profile.attributes),
       reference_of("profiles", "/profiles/NNNN/", profile.rows, profile.columns),
+      reference_of("columns", of_column.attributes),
+      reference_of("columns", "/columns/NNNN/", of_column.rows, of_column.columns),
   };
 }
 

@@ -24,6 +24,7 @@ const Group<std::vector<PointRow>>& point_group();
 const Group<std::vector<MemberRow>>& member_group();
 Group<std::vector<EnsembleEstimate>> estimate_group(const std::string& name, const std::string& unit);
 Group<EnsembleProfile> profile_group(const std::string& name);
+Group<EnsembleColumn> column_group(const std::string& name);
 Group<BinnedProfile> binned_group(const std::string& name);
 
 /// The columns of claims.csv.

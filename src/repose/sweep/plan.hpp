@@ -16,9 +16,10 @@ namespace repose {
 /// wholly outside, and is undecided otherwise (see judge_claims).
 struct Claim {
   enum class Kind {
-    value,       ///< the mean of one point
-    difference,  ///< mean of the first point less that of the second
-    equivalence  ///< the difference between any two of the points, whose bounds are -margin and margin
+    value,        ///< the mean of one point
+    difference,   ///< mean of the first point less that of the second
+    equivalence,  ///< the difference between any two of the points, whose bounds are -margin and margin
+    fit           ///< a number of a fit over several points (sweep/height_fit.hpp)
   };
   std::string text;
   std::string source;   ///< the paper that states it
@@ -27,6 +28,15 @@ struct Claim {
   std::vector<std::string> points;  ///< names
   double above = -std::numeric_limits<double>::infinity();
   double below = std::numeric_limits<double>::infinity();
+  std::string fit = {};  ///< name of the fit
+};
+
+/// Janssen's law is to be fitted to the loads of columns of several heights, each a point.
+struct HeightPlan {
+  std::string name;
+  std::string measure = "column.apparent_mass";  ///< a mass, or a force
+  std::vector<std::string> points;               ///< names
+  bool pushed_up = false;
 };
 
 /// A parameter of a point of a sweep: a key of the scene and its value.
@@ -49,6 +59,7 @@ struct SweepPlan {
   std::vector<std::int64_t> seeds;
   std::vector<std::string> keys;  ///< of the parameters, in order of first appearance
   std::vector<SweepPoint> points;
+  std::vector<HeightPlan> fits;
   std::vector<Claim> claims;
 };
 

@@ -52,14 +52,15 @@ std::optional<double> SweepReader::number(const toml::table& table, const std::s
   return value;
 }
 
-std::vector<std::string> SweepReader::names(const toml::table& table, const std::string& prefix,
-                                            const std::string& key) {
+std::vector<std::string> SweepReader::names(const toml::table& table, const std::string& prefix, const std::string& key,
+                                            std::size_t least) {
   std::vector<std::string> found;
   const auto* node = table.get(key);
   if (node == nullptr) return found;
   const auto* list = node->as_array();
-  if (list == nullptr || !list->is_homogeneous(toml::node_type::string) || list->size() < 2) {
-    problem(*node, fmt::format("{}{}: must be a list of at least two names of points", prefix, key));
+  if (list == nullptr || !list->is_homogeneous(toml::node_type::string) || list->size() < least) {
+    problem(*node, fmt::format("{}{}: must be a list of at least {} of points", prefix, key,
+                               least == 1 ? "one name" : "two names"));
     return found;
   }
   for (const auto& entry : *list) found.push_back(entry.value_or(std::string()));
@@ -106,12 +107,15 @@ void SweepReader::read_seeds(SweepPlan& plan) {
 
 SweepPlan SweepReader::read() {
   SweepPlan plan;
-  check_keys(root_, "", {"title", "scene", "seeds", "set", "vary", "point", "claim"});
+  check_keys(root_, "", {"title", "scene", "seeds", "set", "vary", "point", "fit", "claim"});
   plan.title = text(root_, "", "title", false);
   if (const auto what = title_problem(plan.title); !what.empty()) problem(*root_.get("title"), "title" + what);
   read_seeds(plan);
   read_points(plan);
-  if (!plan.points.empty()) read_claims(plan);
+  if (!plan.points.empty()) {
+    read_fits(plan);
+    read_claims(plan);
+  }
   if (plan.points.empty() && problems_.empty()) problems_.push_back(fmt::format("{}: has no points", path_));
   if (plan.points.size() * plan.seeds.size() > most_members) {
     problems_.push_back(fmt::format("{}: {} points with {} seeds each: more than {} members", path_, plan.points.size(),

@@ -36,7 +36,10 @@ class SweepReader {
   void check_keys(const toml::table& table, const std::string& prefix, const std::set<std::string>& known);
   std::string text(const toml::table& table, const std::string& prefix, const std::string& key, bool needed);
   std::optional<double> number(const toml::table& table, const std::string& prefix, const std::string& key);
-  std::vector<std::string> names(const toml::table& table, const std::string& prefix, const std::string& key);
+  std::vector<std::string> names(const toml::table& table, const std::string& prefix, const std::string& key,
+                                 std::size_t least = 2);
+  std::vector<std::string> points_named(const toml::table& table, const std::string& prefix, const std::string& key,
+                                        const SweepPlan& plan);
   const toml::array* list_of_tables(const std::string& key);
   Setting setting(const std::string& key, const toml::node& value) const;
   std::vector<Setting> settings(const toml::table& table, const std::string& prefix);
@@ -46,7 +49,9 @@ class SweepReader {
   void read_points(SweepPlan& plan);
   void add_point(SweepPlan& plan, const std::string& name, const std::string& scene, const std::vector<Setting>& common,
                  const std::vector<Setting>& own);
+  void read_fits(SweepPlan& plan);
   void read_claims(SweepPlan& plan);
+  void check_fit(const toml::table& table, const std::string& prefix, Claim& claim, const SweepPlan& plan);
   void check_measure(const toml::table& table, const std::string& prefix, const Claim& claim, const SweepPlan& plan);
   void read_bounds(const toml::table& table, const std::string& prefix, Claim& claim);
 

@@ -33,12 +33,16 @@ SweepTable make_table(const SweepPlan& plan, std::vector<std::string> measures, 
     std::vector<const BaseProfile*> bases;
     for (const auto* member : finished) bases.push_back(&member->base);
     table.profiles.push_back(ensemble_profile(bases, plan.points[p].scene.analysis.base_bin));
+    std::vector<const std::vector<ColumnLayer>*> columns;
+    for (const auto* member : finished) columns.push_back(&member->column);
+    table.columns.push_back(ensemble_column(columns));
     const auto& profile = table.profiles.back();
     const EnsembleEstimate undefined{.missing = finished.size()};
     entries.push_back(profile ? profile->dip_index : undefined);
     entries.push_back(profile ? profile->max_over_centre : undefined);
     table.entries.push_back(std::move(entries));
   }
+  table.fits = fit_heights(plan, table);
   table.verdicts = judge_claims(plan, table);
   return table;
 }

@@ -3,8 +3,10 @@
 #pragma once
 
 #include "repose/analysis/base_profile.hpp"
+#include "repose/sweep/ensemble_column.hpp"
 #include "repose/sweep/ensemble_estimate.hpp"
 #include "repose/sweep/ensemble_profile.hpp"
+#include "repose/sweep/height_fit.hpp"
 #include "repose/sweep/plan.hpp"
 #include "repose/sweep/verdict.hpp"
 
@@ -19,9 +21,10 @@ namespace repose {
 struct MemberRow {
   std::size_t point = 0;
   std::int64_t seed = 0;
-  std::string status;          ///< in its summary; "" without one
-  std::vector<double> values;  ///< by measure; NaN where undefined, and for members that have not finished
-  BaseProfile base;            ///< empty unless finished
+  std::string status;                    ///< in its summary; "" without one
+  std::vector<double> values;            ///< by measure; NaN where undefined, and for members that have not finished
+  BaseProfile base;                      ///< empty unless finished
+  std::vector<ColumnLayer> column = {};  ///< empty without
 };
 
 /// The results of a sweep so far.
@@ -31,6 +34,8 @@ struct SweepTable {
   std::vector<std::vector<EnsembleEstimate>> entries;  ///< by point and measure
   std::vector<std::size_t> finished, failed;           ///< members by point
   std::vector<std::optional<EnsembleProfile>> profiles;  ///< by point; none where no base, or bases that differ
+  std::vector<std::optional<EnsembleColumn>> columns;    ///< by point; none where no two walls face each other
+  std::vector<HeightFit> fits;                           ///< by fit of the plan
   std::vector<Verdict> verdicts;                         ///< by claim of the plan
 
   /// The number of the measures that a member has by itself; those of mean profiles follow.

@@ -4,6 +4,7 @@
 
 #include "repose/analysis/holm.hpp"
 #include "repose/sweep/determined.hpp"
+#include "repose/sweep/height_fit.hpp"
 #include "repose/sweep/point_inference.hpp"
 #include "repose/sweep/table.hpp"
 
@@ -79,7 +80,17 @@ Verdict about_equivalence(const Claim& claim, const SweepPlan& plan, const Sweep
   return deciding;
 }
 
+Verdict about_fit(const Claim& claim, const SweepTable& table) {
+  Verdict verdict;
+  for (const auto& fit : table.fits) {
+    if (fit.name == claim.fit) verdict.inference = infer(fit, claim.measure);
+  }
+  test(verdict, claim);
+  return verdict;
+}
+
 Verdict about(const Claim& claim, const SweepPlan& plan, const SweepTable& table) {
+  if (claim.kind == Claim::Kind::fit) return about_fit(claim, table);
   const auto found = std::find(table.measures.begin(), table.measures.end(), claim.measure);
   if (found == table.measures.end()) {
     Verdict verdict;
@@ -100,6 +111,8 @@ Verdict about(const Claim& claim, const SweepPlan& plan, const SweepTable& table
       return about_difference(claim, table, measure, first, point_number(plan, claim.points[1]));
     case Claim::Kind::equivalence:
       return about_equivalence(claim, plan, table, measure);
+    case Claim::Kind::fit:
+      break;
   }
   return {};
 }

@@ -3,11 +3,18 @@
 #pragma once
 
 #include "repose/core/vec.hpp"
+#include "repose/laws/touch.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace repose {
+
+/// The limit [M L/T^2] of friction at this slip [L/T], of laws whose friction does not depend on it.
+template <class Law, class Tangential>
+REPOSE_FN double coulomb_limit(const Law& law, const NormalForce<double>& normal, const Tangential& /*slip_velocity*/) {
+  return coulomb_limit(law, normal);
+}
 
 /// The tangent a, shortened to a length of at most `longest` >= 0.
 REPOSE_FN double limited(double a, double longest) { return std::copysign(std::min(std::fabs(a), longest), a); }

@@ -352,7 +352,7 @@ Contacts<D> Soft<D, Law, Full>::contacts(const Grains<D>& grains) const {
       grains, 0.0,
       [&](std::int64_t first, std::int64_t second, const Law& law, const soft::PairGeometry<D>& pair,
           const ContactForce<Tangent<D>>& force, const ContactHistory<Tangent<D>>& history, double lever) {
-        const double limit = coulomb_limit(law.tangential, force.normal);
+        const double limit = coulomb_limit(law.tangential, force.normal, pair.slip_velocity);
         contacts.list.push_back({first, second, pair.normal, pair.touch.overlap,
                                  pair.touch.overlap / pair.touch.diameter, force.normal.total - force.attraction,
                                  force.tangential, history.slip, force.rolling, lever,

@@ -51,6 +51,8 @@ void add_force_range(Registry& to) {
             "mean normal force on base grains within 0.15 of the half-width of `base_dip`");
   add_range("dip", &ForceRange::dip, "", "dip index, with centre and half-width of `base_dip`");
   add_range("largest", &ForceRange::largest, "grain weights", "largest normal force on a base grain");
+  add_range("load_ratio", &ForceRange::load_ratio, "",
+            "load of the floor of a column between two upright walls over its weight, as `column.load_ratio`");
   to.groups.push_back(analysis_group<BinnedRange>(
       {"force_range",
        "bins",

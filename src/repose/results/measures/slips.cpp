@@ -15,15 +15,9 @@ void add_slips(Registry& to) {
   };
   const auto mean = [](auto member) {
     return [=](const Measured& run) {
-      double sum = 0.0;
-      std::int64_t count = 0;
-      for (const auto& slip : run.results.slips->events) {
-        const double value = slip.*member;
-        if (value != value) continue;  // the first slip has none before it
-        sum += value;
-        ++count;
-      }
-      return sum / static_cast<double>(count);
+      std::vector<double> values;  // NaN of the first slip, before which there is none
+      for (const auto& slip : run.results.slips->events) values.push_back(slip.*member);
+      return mean_of(values).mean;
     };
   };
   const auto add = [&](Measure measure) { to.measures.push_back(std::move(measure)); };
@@ -32,19 +26,42 @@ void add_slips(Registry& to) {
   add(measure("slips.problem", "", "why there are none to look for; empty where there are", of(&Slips::problem)));
   add(measure("slips.wall", "", "the wall: the first driven by a spring, else the first of given speed",
               of(&Slips::wall)));
-  add(measure("slips.from", "T", "slips before then are left out: the first fifth of its way", of(&Slips::from)));
+  add(measure("slips.from", "T", "slips before then are left out: the first fifth of its time", of(&Slips::from)));
   add(measure("slips.mean_force", "M L/T^2", "mean force that drives it, from then on", of(&Slips::mean_force)));
   add(measure("slips.hysteresis", "M L/T^2", "smaller changes of that force are no slips: a thousandth of the mean",
               of(&Slips::hysteresis)));
   add(measure("slips.count", "", "falls of that force, each from a maximum to the next minimum",
               [](const Measured& run) { return static_cast<std::int64_t>(run.results.slips->events.size()); }));
   add(measure("slips.sliding", "", "fraction of the time spent in slips", of(&Slips::sliding)));
+  add(measure("slips.stuck", "", "fraction of the time in which the wall is slower than a tenth of what drives it",
+              of(&Slips::stuck)));
+  add(measure("slips.deviation", "", "standard deviation of the force over its mean", of(&Slips::deviation)));
+  add(measure("slips.drive_speed", "L/T", "of the far end of the spring, or of the wall", of(&Slips::drive_speed)));
+  add(measure("slips.steady_speed", "L/T", "v_t = (m/k)^(1/2) g, m the mass of the piston and all grains",
+              of(&Slips::steady_speed)));
+  add(measure("slips.relative_speed", "", "drive_speed/steady_speed",
+              [](const Measured& run) { return run.results.slips->drive_speed / run.results.slips->steady_speed; }));
   add(measure("slips.mean_drop", "M L/T^2", "mean fall of the force", mean(&Slip::drop)));
   add(measure("slips.mean_peak", "M L/T^2", "mean force at which slips begin", mean(&Slip::force)));
   add(measure("slips.mean_waiting", "T", "mean time from the end of a slip to the beginning of the next",
               mean(&Slip::waiting)));
-  add(measure("slips.mean_slide", "L", "mean way of the wall in a slip", mean(&Slip::slide)));
-  add(measure("slips.mean_creep", "L", "mean way of the wall from a slip to the next", mean(&Slip::creep)));
+  add(measure("slips.mean_slide", "L", "mean displacement of the wall in a slip", mean(&Slip::slide)));
+  add(measure("slips.mean_creep", "L", "mean displacement of the wall from a slip to the next", mean(&Slip::creep)));
+  const auto fraction = [](double Slip::*member) {
+    return [=](const Measured& run) {
+      std::vector<double> positive;
+      for (const auto& slip : run.results.slips->events) {
+        if (slip.*member == slip.*member) positive.push_back(slip.*member > 0.0 ? 1.0 : 0.0);
+      }
+      return mean_of(positive).mean;
+    };
+  };
+  add(measure("slips.mean_dilation", "", "mean relative growth of the volume of the column in a slip",
+              mean(&Slip::dilation)));
+  add(measure("slips.dilating", "", "fraction of the slips in which it grows", fraction(&Slip::dilation)));
+  add(measure("slips.mean_compaction", "", "mean relative shrinkage of its volume from a slip to the next",
+              mean(&Slip::compaction)));
+  add(measure("slips.compacting", "", "fraction of these times in which it shrinks", fraction(&Slip::compaction)));
   add(measure("slips.drops", "", "power law of the drops, by maximum likelihood",
               [](const Measured&) { return Object{}; }));
   add(measure("slips.drops.events", "", "drops above 0", of_drops(&TailFit::events)));
@@ -80,7 +97,9 @@ void add_slips(Registry& to) {
       {column("time", &DriveRow::time, "T", "of the row of the time series"),
        column("force", &DriveRow::force, "M L/T^2",
               "that drives the wall: of its spring, or against the grains as a mean since the row before"),
-       column("displacement", &DriveRow::displacement, "L", "of the wall along its way")}};
+       column("displacement", &DriveRow::displacement, "L", "of the wall along its direction"),
+       column("solid_fraction", &DriveRow::solid_fraction, "",
+              "of the column between two upright walls; NaN without")}};
   to.groups.push_back(analysis_group(drive, [](const Measured& run) {
     const auto& found = run.results.slips;
     return found && !found->drive.empty() ? &found->drive : nullptr;
@@ -91,9 +110,12 @@ void add_slips(Registry& to) {
       column("end", &Slip::end, "T", "where it is smallest"),
       column("force", &Slip::force, "M L/T^2", "at the beginning"),
       column("drop", &Slip::drop, "M L/T^2", "by which the force falls"),
-      column("slide", &Slip::slide, "L", "way of the wall in the slip"),
+      column("slide", &Slip::slide, "L", "displacement of the wall in the slip"),
       column("waiting", &Slip::waiting, "T", "since the end of the slip before; NaN for the first"),
-      column("creep", &Slip::creep, "L", "way of the wall since then; NaN for the first"),
+      column("creep", &Slip::creep, "L", "displacement of the wall since then; NaN for the first"),
+      column("dilation", &Slip::dilation, "",
+             "relative growth of the volume of the column in the slip, by its solid fraction; NaN without a column"),
+      column("compaction", &Slip::compaction, "", "relative shrinkage of it since the slip before; NaN for the first"),
   };
   const Group<Slips> group{
       "slips",

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "repose/core/contacts.hpp"
+#include "repose/core/grains.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace repose {
+
+/// Two upright walls that face each other, and the level floor between them.
+struct Pipe {
+  std::int64_t left_wall = 0;   ///< number of the wall on the left
+  std::int64_t right_wall = 0;  ///< number of the wall on the right
+  double left = 0.0;            ///< [L] x of its face
+  double right = 0.0;           ///< [L]
+  double floor = 0.0;           ///< [L] y of the floor
+
+  double width() const { return right - left; }
+};
+
+/// The column of grains in a pipe at one time. Only grains that touch something count.
+struct ColumnRow {
+  double height = 0.0;          ///< [L] mean height of the surface above the floor
+  double centre = 0.0;          ///< [L] of the centre of mass above the floor
+  double solid_fraction = 0.0;  ///< of the slices but the lowest and the highest tenth of them; NaN where empty
+};
+
+/// A part of a column between two levels: all slices hold the same disc area, so that a slice keeps its grains while
+/// the column moves as a whole.
+struct ColumnSlice {
+  double top = 0.0;       ///< [L] its upper level above the floor
+  double mass = 0.0;      ///< [M] of the grains with their centres in it
+  double pressure = 0.0;  ///< [M/T^2] normal force of these grains on the two walls, per length of wall
+  double shear = 0.0;     ///< [M/T^2] force of the two walls on these grains, upwards, per length of wall
+  double load = 0.0;      ///< [M L/T^2] force through the lower level: upwards on the grains with centres above it
+};
+
+struct MeasuredColumn {
+  ColumnRow row;
+  std::vector<ColumnSlice> slices;  ///< from the floor up
+};
+
+/// Measures the column by the contacts at one time. The load of the lowest slice is the force of everything but the two
+/// walls and the grains of the column: the floor, fixed grains, grains below the floor. At rest the load of a slice is
+/// that of the next one, plus the weight of its grains, less the upward force of the walls on them. Validated by
+/// tests/unit/pipe_test.cpp.
+MeasuredColumn measure_column(const Pipe& pipe, const Grains<2>& grains, const Contacts<2>& contacts,
+                              std::size_t slices);
+
+}  // namespace repose
