@@ -16,6 +16,8 @@ GROUPS = {
     "chains": "contacts grains direction_deg extent chain",
     "force_lines": "id strongest weakest strongest_force weakest_force",
     "stability": "id displacement",
+    "column": "depth bottom top pressure shear stress load",
+    "column_motion": "time floor top shortening front",
     "drive": "time force displacement",
     "slips": "begin end force drop slide waiting creep",
     "fields": "x y room density solid_fraction stress_xx stress_xy stress_yx stress_yy support_x support_y velocity_x "

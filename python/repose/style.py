@@ -112,6 +112,9 @@ class Units:
     def stress(self, symbol):
         return self._of(symbol, "(mg/σ)", "M/T²", "N/m")
 
+    def mass(self, symbol):
+        return f"{symbol} / m" if self.reduced else f"{symbol} (kg)"
+
     def energy(self, symbol):
         return self._of(symbol, "mgσ", "M L²/T²", "J")
 

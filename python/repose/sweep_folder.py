@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reads a sweep folder; the format is described in docs/reference/sweep.md."""
 
+import tomllib
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +15,7 @@ from repose.summary import read_summary
 FORMAT_VERSION = 1
 NEEDED = {"title", "units"}
 COLUMNS = "x normal normal_error shear shear_error"
+COLUMN = "depth pressure pressure_error stress stress_error"
 
 
 class Profile(Table):
@@ -38,6 +40,7 @@ class SweepFolder:
     members: Table  # point, seed, status: each (K)
     values: "dict[str, np.ndarray]"  # measures by member (K)
     profiles: "list[Profile | None]"  # (P)
+    columns: "list[Table | None]"  # (P) mean column between two walls, by slice: depth [L], pressure and stress [M/T^2] ...
     summary: dict  # summary.json: comparisons of theory with the profiles; empty without
 
     def __init__(self, path):
@@ -55,6 +58,7 @@ class SweepFolder:
             self.measures = {name: Table(part, "mean error deviation count") for name, part in file["measures"].items()}
             self.members = Table(file["members"], "point seed status")
             self.profiles = [_read_profile(file, k) for k in range(len(self.points))]
+            self.columns = [_read_column(file, k) for k in range(len(self.points))]
         self.summary = read_summary(self.path / "summary.json")
         self.key_comments = self._key_comments()
 
@@ -63,20 +67,31 @@ class SweepFolder:
         for name in self.points:
             if known.keys() >= self.parameters.keys():
                 break
-            for path in sorted((self.path / "members" / name).glob("seed-*/scene.toml"))[:1]:
-                known |= _comments_of(path, self.parameters)
+            comments = key_comments(self._scene_text(name))
+            known |= {key: comments[key] for key in self.parameters if key in comments}
         return known
 
+    def scene(self, point):
+        """Tables and keys of the scene of a point, by its name, as of its first member; empty where none can be read."""
+        try:
+            return tomllib.loads(self._scene_text(point))
+        except tomllib.TOMLDecodeError:
+            return {}
 
-def _comments_of(path, keys):
-    """KeyComment of those of the keys that a scene has; none where it cannot be read, as labels do without."""
-    if not path.is_file():
-        return {}
-    try:
-        known = key_comments(path.read_text(encoding="utf-8", errors="replace"))
-    except OSError:
-        return {}
-    return {key: known[key] for key in keys if key in known}
+    def _scene_text(self, point):
+        """The scene of the first member of a point; "" where it cannot be read, as pictures do without."""
+        for path in sorted((self.path / "members" / point).glob("seed-*/scene.toml"))[:1]:
+            if path.is_file():
+                try:
+                    return path.read_text(encoding="utf-8", errors="replace")
+                except OSError:
+                    pass
+        return ""
+
+
+def _read_column(file, point):
+    name = f"columns/{point:04}"
+    return Table(file[name], COLUMN) if name in file else None
 
 
 def _read_profile(file, point):

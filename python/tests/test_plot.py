@@ -85,6 +85,10 @@ NO_WALLS = {
 NO_PACKING = dict.fromkeys(
     ("packing", "directions", "correlations", "surface"), "no packing was measured (analysis.packing)"
 )
+NO_COLUMN = {
+    "column": "there are no grains between two upright walls, or its method has no forces",
+    "column_motion": "there is no column between two upright walls whose floor moves",
+}
 
 NO_THEORY = {"theory": "no model was compared with it (repose plot DIR --theory MODEL)"}
 
@@ -104,7 +108,7 @@ def test_draws_every_picture_with_data(tmp_path, capsys, kind):
     assert main([str(folder), "--dpi", "60"]) == 0
     printed = capsys.readouterr()
     assert printed.err == ""
-    not_drawn = NOT_DRAWN.get(kind, {}) | NO_PACKING | ({} if kind == "floor" else NO_WALLS)
+    not_drawn = NOT_DRAWN.get(kind, {}) | NO_PACKING | NO_COLUMN | ({} if kind == "floor" else NO_WALLS)
     not_drawn |= {"theory": "the run has no base profile"} if not_drawn.get("base") == NO_ROW else NO_THEORY
     expected = []
     for name in RUN_PICTURES:
@@ -168,7 +172,7 @@ def test_draws_runs_with_positions_and_forces_that_are_nan(tmp_path):
         file["grains/position"][-1] = np.nan
         file["contacts/normal_force"][:3] = np.nan
     assert main([str(folder), "--dpi", "50", "--format", "png"]) == 0
-    assert len(list((folder / "pictures").iterdir())) == len(RUN_PICTURES) - len(NO_WALLS | NO_PACKING | NO_THEORY)
+    assert len(list((folder / "pictures").iterdir())) == len(RUN_PICTURES) - len(NO_WALLS | NO_COLUMN | NO_PACKING | NO_THEORY)
 
 
 @pytest.mark.filterwarnings("error")
@@ -177,7 +181,7 @@ def test_every_picture_of_many_grains_is_printed(tmp_path, monkeypatch, caplog):
     monkeypatch.setattr("repose.pictures.run.grain_panel.MOST_VECTOR_GRAINS", 50)
     assert main([str(folder), "--format", ",".join(FORMATS), "--dpi", "50"]) == 0
     assert not caplog.records
-    drawn = RUN_PICTURES.keys() - (NO_WALLS | NO_PACKING | NO_THEORY).keys()
+    drawn = RUN_PICTURES.keys() - (NO_WALLS | NO_COLUMN | NO_PACKING | NO_THEORY).keys()
     assert len(list((folder / "pictures").iterdir())) == len(FORMATS) * len(drawn)
 
 

@@ -247,6 +247,11 @@ def test_packings_leave_out_fractions_without_grains(tmp_path):
 
 NO_RESPONSE = "not drawn: no two points of the sweep differ by one downward load alone"
 NO_THEORY = "not drawn: no model was compared with it (repose plot DIR --theory MODEL)"
+NO_COLUMNS = [
+    "heights: not drawn: the sweep file asks for no fit over heights ([[fit]])",
+    "columns: not drawn: no point has columns between two upright walls with forces",
+    "phase: not drawn: fewer than 3 speeds of a wall driven by a spring whose slips were looked for",
+]
 NO_PACKINGS = "not drawn: no packings were measured over a numeric parameter"
 
 
@@ -256,9 +261,10 @@ def test_command_line_draws_a_sweep(tmp_path, capsys, kind):
     folder = write_sweep(tmp_path / "sweep", **kind)
     assert main([str(folder), "--format", "png,svg", "--dpi", "50"]) == 0
     printed = capsys.readouterr()
-    drawn = [name for name in SWEEP_PICTURES if name not in ("packing", "response", "theory")]
+    not_drawn = ("packing", "response", "heights", "columns", "phase", "theory")
+    drawn = [name for name in SWEEP_PICTURES if name not in not_drawn]
     expected = [str(folder / "pictures" / f"{name}.{end}") for name in drawn for end in ("png", "svg")]
-    expected += [f"packing: {NO_PACKINGS}", f"response: {NO_RESPONSE}", f"theory: {NO_THEORY}"]
+    expected += [f"packing: {NO_PACKINGS}", f"response: {NO_RESPONSE}", *NO_COLUMNS, f"theory: {NO_THEORY}"]
     assert printed.out.splitlines() == expected
     assert printed.err == ""
 
@@ -285,6 +291,7 @@ def test_sweep_without_a_finished_member(tmp_path, capsys):
         "measures: not drawn: no member has any of the measures shown here",
         f"packing: {NO_PACKINGS}",
         f"response: {NO_RESPONSE}",
+        *NO_COLUMNS,
         f"theory: {NO_THEORY}",
     ]
 

@@ -223,6 +223,8 @@ TEST(ColumnState, FollowsAFloorThatMoves) {
   EXPECT_NEAR(column->motion[1].front, 4.0, 1e-12);
   EXPECT_NEAR(column->motion[1].top, 0.5, 1e-12);
   EXPECT_NEAR(column->top_follows, 1.0, 1e-12);
+  EXPECT_NEAR(column->shortening, 0.5, 1e-12);
+  EXPECT_NEAR(column->later_shortening, 0.0, 1e-12);
 }
 
 }  // namespace

@@ -16,6 +16,8 @@ namespace repose {
 
 namespace {
 
+constexpr double least_moved = 0.01;  // diameters: below it, a floor has not moved yet
+
 /// The layers whose stresses tell K: the floor changes the lowest tenth, the surface the highest.
 std::vector<ColumnLayer> inner(const std::vector<ColumnLayer>& layers) {
   const auto tenth = std::max<std::size_t>(1, (layers.size() + 5) / 10);
@@ -168,7 +170,13 @@ void follow_floor(const Record& record, const PipeWalls& pipe, const WindowMean&
   const auto middle = [&](std::size_t row, std::size_t k) {
     return 0.5 * (slice(row, k) + (k > 0 ? slice(row, k - 1) : 0.0)) + floor(row);
   };
+  // A spring first gives way under the weight: what counts begins where the floor turns.
+  const double sense = motion.speed * motion.direction[1] < 0.0 ? -1.0 : 1.0;
+  for (std::size_t row = start + 1; row < rows.size(); ++row) {
+    if (sense * floor(row) < sense * floor(start)) start = row;
+  }
   const double height = record.column_series[start].height;
+  double shortened = ColumnState::none;  // when all slices follow
   for (std::size_t row = start + 1; row < rows.size(); ++row) {
     ColumnMotion at;
     at.time = rows[row].time;
@@ -176,17 +184,20 @@ void follow_floor(const Record& record, const PipeWalls& pipe, const WindowMean&
     at.shortening = height - record.column_series[row].height;
     at.top = at.floor - at.shortening;
     std::size_t moved = 0;
-    // A spring may first give way under the weight; that is no push.
-    const bool driven = at.floor * motion.speed * motion.direction[1] > 0.0;
-    while (driven && moved < slices &&
+    const bool moves = std::fabs(at.floor) > least_moved * record.scene.usual_diameter();
+    while (moves && moved < slices &&
            std::fabs(middle(row, moved) - middle(start, moved)) >= 0.5 * std::fabs(at.floor)) {
       ++moved;
     }
     at.front = moved > 0 ? slice(start, moved - 1) : 0.0;
-    if (moved == slices && std::isnan(column.top_follows)) column.top_follows = at.floor;
+    if (moved == slices && std::isnan(column.top_follows)) {
+      column.top_follows = at.floor;
+      shortened = at.shortening;
+    }
     column.motion.push_back(at);
   }
   column.shortening = height - mean([&](std::size_t row) { return record.column_series[row].height; });
+  column.later_shortening = column.shortening - shortened;
 }
 
 }  // namespace

@@ -15,31 +15,44 @@ from repose.pictures.run.shapes import add_discs, add_walls, centre_lines
 
 def draw(run, state):
     """Figure of one state; forces in grain weights, or in the units of the scene where there is no gravity."""
-    weight = run.attributes["grain_weight"]
-    unit = weight if weight > 0.0 else 1.0
-    force = np.nan_to_num(state.contacts.normal_force / unit)
-    size = np.abs(force)
-    largest = (state.axes.largest_force if state.axes else largest_force(sizes_of_forces(state))) / unit
+    largest = largest_of(run, state)
+    panel = make_panel(run, state, with_legend=True)
+    add_network(panel, run, state, largest)
+    return panel.figure
+
+
+def largest_of(run, state):
+    """The force of the widest line, in the unit of the picture; NotDrawn without a force."""
+    largest = state.axes.largest_force if state.axes else largest_force(sizes_of_forces(state))
     if not largest > 0.0:
         raise NotDrawn("no contact carries a force")
+    return largest / _unit(run)
+
+
+def _unit(run):
+    weight = run.attributes["grain_weight"]
+    return weight if weight > 0.0 else 1.0
+
+
+def add_network(panel, run, state, largest):
+    """Walls, grains and forces of a state, with their legend above the axes."""
+    force = np.nan_to_num(state.contacts.normal_force / _unit(run))
     lines, contact = centre_lines(run, state)
-    panel = make_panel(run, state, with_legend=True)
     held = state.grains.held
     add_walls(panel, run, state)
     add_discs(panel, run, state, ~held, facecolor="#eff1f4", edgecolor="#d3d8df", linewidth=0.25)
     add_discs(panel, run, state, held, facecolor=style.FAINT, edgecolor="white", linewidth=0.25)
 
     widest = widest_line(run, panel)
-    level = levels_of(size, largest)
+    level = levels_of(np.abs(force), largest)
     handles = []
     for chosen, colour, name in _kinds(force, state.contacts.sliding):
         drawn = chosen[contact]
         add_forces(panel, lines[drawn], level[contact][drawn], widest, colour)
         if (chosen & (level > 0)).any() and name:
             handles.append(handle_of_force(colour, 0.4 * widest, name))
-    title = "normal force in grain weights" if weight > 0.0 else "normal force"
+    title = "normal force in grain weights" if run.attributes["grain_weight"] > 0.0 else "normal force"
     legend_above(panel, scale_of_forces(largest, widest) + handles, title)
-    return panel.figure
 
 
 def _kinds(force, sliding):

@@ -38,21 +38,22 @@ def make_panel(run, state, with_legend):
     return make_panels(run, state, [LEGEND_ROW if with_legend else 0.0])[0]
 
 
-def make_panels(run, state, legend_heights, below=0.0):
+def make_panels(run, state, legend_heights, below=0.0, beside=0.0):
     """A figure with panels of the same box, one below the other, and a caption: one panel for each height [inch] of the
-    legends above it. `below` [inch] of the figure is left empty at the bottom."""
+    legends above it. `below` and `beside` [inch] of the figure are left empty at the bottom and on the right."""
     if run.attributes["dimension"] != 2:
         raise NotDrawn("the run is not two-dimensional")
     box = visible_box(run, state)
     scale = min(
-        AXES_WIDTH / (box.x_max - box.x_min),
+        (AXES_WIDTH - beside) / (box.x_max - box.x_min),
         AXES_HEIGHT / len(legend_heights) / (box.y_max - box.y_min),
         LARGEST_GRAIN / run.attributes["grain_diameter"],
     )
+    least_width = LEAST_AXES_WIDTH - beside
     if not run.attributes["periodic"]:
-        box = Box(*_widened(box.x_min, box.x_max, LEAST_AXES_WIDTH / scale), box.y_min, box.y_max)
+        box = Box(*_widened(box.x_min, box.x_max, least_width / scale), box.y_min, box.y_max)
     axes_width, axes_height = (box.x_max - box.x_min) * scale, (box.y_max - box.y_min) * scale
-    width = LEFT + max(axes_width, LEAST_AXES_WIDTH) + RIGHT
+    width = LEFT + max(axes_width, least_width) + RIGHT + beside
     height = TOP + sum(legend_heights) + len(legend_heights) * (axes_height + BOTTOM) + below
     figure = Figure(figsize=(width, height))
     panels, top = [], TOP

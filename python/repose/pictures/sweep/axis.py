@@ -34,7 +34,7 @@ def axis_of(sweep):
         place = sweep.parameters[key]
         if not np.isfinite(place).all() or len(np.unique(place)) < 2:
             continue
-        lines = _lines(sweep, key)
+        lines = lines_along(sweep, key)
         if any(len(np.unique(place[line.rows])) < len(line.rows) for line in lines):
             continue
         axis = Axis(key, place, lines)
@@ -44,7 +44,8 @@ def axis_of(sweep):
     return best or Axis(None, np.arange(count, dtype=float), [Line("", np.arange(count))])
 
 
-def _lines(sweep, key):
+def lines_along(sweep, key):
+    """The points in lines that differ in this key alone."""
     groups = {}
     others = [other for other in sorted(sweep.parameter_text) if other != key]
     for row, name in enumerate(sweep.points):

@@ -86,6 +86,9 @@ void add_column(Registry& to) {
               of(&ColumnState::stress_ratio)));
   add(measure("column.friction", "", "upward force of the walls over the normal force on them",
               of(&ColumnState::friction)));
+  add(measure("column.k_mu", "", "K times friction: width/(2 screening_length)", [](const Measured& run) {
+    return run.results.column->width / (2.0 * run.results.column->screening_length);
+  }));
   add(measure("column.screening_length", "L", "width/(2 K friction); below 0 where the walls push down",
               of(&ColumnState::screening_length)));
   add(measure("column.janssen_ratio", "", "`load_ratio` by Janssen's law with that length",
@@ -106,6 +109,8 @@ void add_column(Registry& to) {
               fitted(&ColumnFit::residual)));
   add(measure("column.fit.residual_two", "M", "of two lengths", fitted(&ColumnFit::residual_two)));
   add(measure("column.shortening", "L", "of the column since a moving floor set out", of(&ColumnState::shortening)));
+  add(measure("column.later_shortening", "L", "of that, what came after every slice had followed the floor",
+              of(&ColumnState::later_shortening)));
   add(measure("column.top_follows", "L",
               "displacement of the floor when every slice has moved at least half as far as it",
               of(&ColumnState::top_follows)));
