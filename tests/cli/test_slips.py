@@ -30,6 +30,8 @@ def test_slips_of_a_pushed_column_are_those_of_numpy(column):
     with h5py.File(folder / "run.h5") as file:
         time = file["series/time"][()]
         moved = file["series/wall_displacement"][:, 2]
+        solid = file["column/solid_fraction"][()]
+        mass = file["grains/mass"][()].sum()
     with h5py.File(folder / "analysis.h5") as file:
         drive = {name: data[()] for name, data in file["drive"].items()}
         slips = {name: data[()] for name, data in file["slips"].items()}
@@ -59,6 +61,21 @@ def test_slips_of_a_pushed_column_are_those_of_numpy(column):
     np.testing.assert_allclose(slips["creep"][1:], moved[kept][begins[1:]] - moved[kept][ends[:-1]], atol=1e-12)
     assert found["mean_drop"] == pytest.approx(slips["drop"].mean())
     assert "power law      undecided" in said
+    # The volume of the column goes as one over its solid fraction.
+    volume = 1.0 / solid[kept]
+    np.testing.assert_allclose(slips["dilation"], volume[ends] / volume[begins] - 1.0, atol=1e-12)
+    np.testing.assert_allclose(slips["compaction"][1:], 1.0 - volume[begins[1:]] / volume[ends[:-1]], atol=1e-12)
+    assert np.isnan(slips["compaction"][0])
+    assert found["dilating"] == pytest.approx(np.mean(slips["dilation"] > 0))
+    assert found["compacting"] == pytest.approx(np.mean(slips["compaction"][1:] > 0))
+    assert found["mean_dilation"] == pytest.approx(slips["dilation"].mean())
+    # Mass 50 of the piston, speed 0.05 of the drive: the wall stands where it goes slower than a tenth of that.
+    assert found["steady_speed"] == pytest.approx(np.sqrt((50.0 + mass) / 500.0))
+    assert found["relative_speed"] == pytest.approx(0.05 / found["steady_speed"])
+    steps = np.diff(time[kept])
+    slow = np.abs(np.diff(moved[kept])) < 0.005 * steps
+    assert found["stuck"] == pytest.approx(steps[slow].sum() / steps.sum())
+    assert found["deviation"] == pytest.approx(np.std(force, ddof=1) / force.mean())
 
 
 def test_without_a_driven_wall_there_is_nothing_to_look_for(lab):

@@ -254,7 +254,7 @@ def test_analyse_of_a_sweep_makes_the_same_tables(sweep):
         (("above = 0", 'above = "0"'), ['sweep.toml:10: claim[0].above = "0": must be a finite number']),
         (('["friction=0.5", "friction=0.2"]', '["friction=0.5", "friction=0.9"]'),
          ['no point "friction=0.9"; there are friction=0.2, friction=0.5']),
-        (("difference", "point = 'friction=0.5'\ndifference"), ["give one of point, difference and equivalent"]),
+        (("difference", "point = 'friction=0.5'\ndifference"), ["give one of point, difference, equivalent and fit"]),
         (("above = 0", "above = 0\nmargin = 1"), ["claim[0].margin: goes with equivalent only; give above and below"]),
         (("difference", "equivalent"), ["claim[0].margin: an equivalence has a margin", "claim[0].margin: missing"]),
         (("above = 0", "margin = 0"), ["claim[0].margin: goes with equivalent only", "claim[0].above: give above, below"]),

@@ -64,6 +64,7 @@ TEST(HeightFit, FindsTheLengths) {
   const auto one = Columns(10.0, 10.0, 0.1).table().fits.front();
   EXPECT_NEAR(infer(one, "lambda").value, 10.0, 1e-6);
   EXPECT_NEAR(infer(one, "stress_ratio").value, 8.0 / (2.0 * 0.4 * 10.0), 1e-6);
+  EXPECT_NEAR(infer(one, "stress_ratio_excess").value, 1.0 - 0.9, 1e-6);
 }
 
 // The error of the ratio is that of the data: twice the scatter, twice the error.

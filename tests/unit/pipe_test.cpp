@@ -199,7 +199,8 @@ TEST(ColumnState, FindsTheLawOfJanssen) {
 TEST(ColumnState, FollowsAFloorThatMoves) {
   Record record;
   record.scene = scene_from_text(
-      "[[grain]]\nposition = [0, 3]\n[stop]\ntime = 9\n[output]\nslices = 4\n[[plane]]\nname = \"l\"\npoint = [-1, "
+      "[[grain]]\nposition = [0, 3]\n[stop]\ntime = 9\n[output]\nwindow = 1\nslices = 4\n[[plane]]\nname = "
+      "\"l\"\npoint = [-1, "
       "0]\nnormal = [1, 0]\n"
       "[[plane]]\nname = \"r\"\npoint = [1, 0]\nnormal = [-1, 0]\n[[plane]]\nname = \"f\"\npoint = [0, 0]\n"
       "normal = [0, 1]\nmotion = \"velocity\"\nvelocity = [0, 0.5]\nstart = 1\n",

@@ -231,6 +231,23 @@ std::string describe_contacts(const Scene& scene) {
   return text + warnings;
 }
 
+/// What the floor of a column carries, and what Janssen's law says with the measured K and friction.
+std::string describe_column(const ColumnState& column) {
+  const auto number = [](double x, const char* format) {
+    return std::isnan(x) ? std::string("-") : fmt::format(fmt::runtime(format), x);
+  };
+  auto text = fmt::format("column           height {}, width {:.4g}, solid fraction {}\n",
+                          number(column.height, "{:.3f}"), column.width, number(column.solid_fraction, "{:.4f}"));
+  if (std::isnan(column.load_ratio)) return text;
+  text += fmt::format("floor carries    {:.3f} of the weight; by Janssen {}: K {}, friction at the walls {}\n",
+                      column.load_ratio, number(column.janssen_ratio, "{:.3f}"),
+                      column.stress_ratio
+                          ? fmt::format("{:.3f} +- {:.2g}", column.stress_ratio->mean, column.stress_ratio->error)
+                          : "-",
+                      number(column.friction, "{:.3f}"));
+  return text;
+}
+
 std::string describe_result(const Record& record, const Results& results) {
   const auto& facts = record.facts;
   std::string text = fmt::format(
@@ -258,6 +275,7 @@ std::string describe_result(const Record& record, const Results& results) {
     text += fmt::format("core             {} grains, solid fraction {:.4f}, coordination {:.3f}\n", results.core.grains,
                         *results.core.solid_fraction, *results.core.coordination);
   }
+  if (results.column) text += describe_column(*results.column);
   text += fmt::format("deepest overlap  {:.4f} diameters\n", results.max_overlap);
   if (results.dip) text += fmt::format("dip index        {:.3f}\n", results.dip->index);
   if (results.force_range) text += describe_force_range(*results.force_range);

@@ -15,6 +15,8 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace repose {
 
@@ -28,9 +30,14 @@ struct Shown {
   const char* head;
   int decimals;
 };
-constexpr Shown shown[] = {{"angle_of_repose_deg.mean", "angle [deg]", 2}, {"base_dip.index", "dip index", 3},
-                           {"profile.dip_index", "dip of mean", 3},        {"coordination", "coordination", 3},
-                           {"core.solid_fraction", "core fraction", 4},    {"max_overlap", "overlap", 4}};
+constexpr Shown shown[] = {{"angle_of_repose_deg.mean", "angle [deg]", 2},
+                           {"base_dip.index", "dip index", 3},
+                           {"profile.dip_index", "dip of mean", 3},
+                           {"coordination", "coordination", 3},
+                           {"core.solid_fraction", "core fraction", 4},
+                           {"column.load_ratio", "floor/weight", 3},
+                           {"slips.stuck", "stuck", 3},
+                           {"max_overlap", "overlap", 4}};
 constexpr int column_width = 17;
 
 std::string with_error(double mean, double error, int decimals) {
@@ -132,14 +139,19 @@ std::string describe_table(const SweepFolder& folder, const SweepTable& table) {
   const auto& plan = folder.plan();
   const auto width = name_width(plan);
   std::string text = fmt::format("\n{:{}}  {:>7}", "point", width, "members");
-  for (const auto& column : shown) text += fmt::format("  {:>{}}", column.head, column_width);
+  std::vector<std::pair<Shown, std::size_t>> columns;  // those that a member has, and the places of their measures
+  for (const auto& column : shown) {
+    const auto found = std::find(table.measures.begin(), table.measures.end(), column.measure);
+    const auto m = static_cast<std::size_t>(found - table.measures.begin());
+    const auto has = [&](const auto& entries) { return m < entries.size() && entries[m].count > 0; };
+    if (std::any_of(table.entries.begin(), table.entries.end(), has)) columns.emplace_back(column, m);
+  }
+  for (const auto& [column, m] : columns) text += fmt::format("  {:>{}}", column.head, column_width);
   text += "\n";
   for (std::size_t p = 0; p < plan.points.size(); ++p) {
     text += fmt::format("{:{}}  {:>7}", plan.points[p].name, width, table.finished[p]);
-    for (const auto& column : shown) {
-      const auto found = std::find(table.measures.begin(), table.measures.end(), column.measure);
-      const auto m = static_cast<std::size_t>(found - table.measures.begin());
-      const auto entry = m < table.measures.size() ? table.entries[p][m] : EnsembleEstimate{};
+    for (const auto& [column, m] : columns) {
+      const auto& entry = table.entries[p][m];
       text += fmt::format("  {:>{}}", with_error(entry.mean, entry.error, column.decimals), column_width);
     }
     if (table.failed[p] > 0) text += fmt::format("  {} failed", table.failed[p]);

@@ -39,8 +39,18 @@ bool goes_straight(const WallMotion<2>& motion) {
   return motion.kind == WallMotion<2>::Kind::velocity || motion.kind == WallMotion<2>::Kind::spring;
 }
 
-/// The record with these walls at rest where they are.
+/// The record with these walls at rest where they are, and the grains that they carry along at rest too.
 Record with_standing_walls(Record record) {
+  if (std::none_of(record.walls.begin(), record.walls.end(),
+                   [](const auto& w) { return goes_straight(w.wall.motion); })) {
+    return record;
+  }
+  auto grains = *record.grains;
+  for (auto& grain : grains.line) {
+    grain.velocity = {};
+    grain.rim_velocity = {};
+  }
+  record.grains = OrderedGrains<2>(std::move(grains), record.box);
   auto wall = record.walls.begin() + (record.scene.base->wall(record.scene) ? 1 : 0);
   const auto shifted = [](std::array<double, 2> point, const Vec<2>& shift) {
     return std::array<double, 2>{point[0] + shift[0], point[1] + shift[1]};

@@ -65,7 +65,7 @@ struct ColumnState {
   std::vector<ColumnLayer> layers;  ///< from the floor up
 
   double shortening = none;          ///< [L] since the floor set out
-  double later_shortening = none;  ///< [L] of it, what came after all slices had followed
+  double later_shortening = none;    ///< [L] of it, what came after all slices had followed
   double top_follows = none;         ///< [L] displacement of the floor when the top slice has moved half as far as it
   std::vector<ColumnMotion> motion;  ///< from when the floor sets out; empty where it stands
 };

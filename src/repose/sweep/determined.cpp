@@ -19,8 +19,8 @@ bool is_about_base_forces(const std::string& measure) {
 
 /// Whether a number says what floor and walls of a column carry.
 bool is_about_column(const Claim& claim) {
-  for (const auto* part :
-       {"apparent_mass", "load_ratio", "wall_load", "stress_ratio", "screening_length", "friction", "k_mu"}) {
+  for (const auto* part : {"apparent_mass", "load_ratio", "janssen", "wall_load", "stress_ratio", "screening_length",
+                           "friction", "k_mu"}) {
     if (claim.measure.starts_with(std::string("column.") + part)) return true;
   }
   return claim.kind == Claim::Kind::fit || claim.measure.starts_with("column.fit");

@@ -13,6 +13,7 @@
 #include "repose/run_folder/run_folder.hpp"
 #include "repose/scene/read.hpp"
 #include "repose/scene/write.hpp"
+#include "repose/sweep/pooled_drops.hpp"
 #include "repose/sweep/response.hpp"
 
 #include <fmt/format.h>
@@ -31,7 +32,7 @@ namespace {
 
 constexpr const char* own_files[] = {"sweep.toml",  "table.csv",    "members.csv",  "claims.csv",
                                      "claims.json", "sweep.h5",     "response.csv", "response.json",
-                                     "heights.csv", "heights.json", "summary.json"};
+                                     "heights.csv", "heights.json", "drops.csv",    "summary.json"};
 constexpr const char* own_folders[] = {"scenes", "members", "pictures"};
 
 /// The content of a file; "" if it cannot be read.
@@ -43,12 +44,11 @@ std::string content_of(const fs::path& path) {
   return text.str();
 }
 
-/// The column that the analysis of a member found; empty without.
-std::vector<ColumnLayer> read_column(const std::string& path) {
+/// Adds what the analysis of a member found beside its summary: the slices of its column, the drops of its slips.
+void read_analysis(const std::string& path, MemberRow& row) {
   const Hdf5Reader file(path);
-  std::vector<ColumnLayer> layers;
-  if (file.has("column")) read_columns(file, "column", column_layers(), layers);
-  return layers;
+  if (file.has("column")) read_columns(file, "column", column_layers(), row.column);
+  if (file.has("slips")) row.drops = file.dataset<double>("slips/drop");
 }
 
 std::vector<Member> members_of(const SweepPlan& plan) {
@@ -169,7 +169,7 @@ SweepTable SweepFolder::table() const {
     if (row.status == "finished") {
       values[k] = measures(members_[k]);
       row.base = read_base(Hdf5Reader(member_path(members_[k]) + "/run.h5"));
-      row.column = read_column(member_path(members_[k]) + "/analysis.h5");
+      read_analysis(member_path(members_[k]) + "/analysis.h5", row);
     }
     rows.push_back(std::move(row));
   }
@@ -200,6 +200,8 @@ void SweepFolder::write(const SweepTable& table) const {
     write_text_file(path_ + "/heights.json", heights_json(table.fits));
   }
   write_sweep_file(path_ + "/sweep.h5", plan_, table);
+  if (const auto drops = pool_drops(plan_, table); !drops.empty())
+    write_text_file(path_ + "/drops.csv", drops_csv(drops));
   const auto responses =
       point_responses(plan_, table, [&](std::size_t member) { return read_last_state(member_path(members_[member])); });
   if (responses.empty()) return;

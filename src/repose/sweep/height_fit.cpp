@@ -86,7 +86,8 @@ nlohmann::ordered_json number(double x) {
 
 const std::vector<std::string>& height_fit_measures() {
   static const std::vector<std::string> names{
-      "lambda", "lambda_1", "lambda_2", "ratio", "stress_ratio", "stress_ratio_direct", "chance_one", "chance_two"};
+      "lambda",     "lambda_1",  "lambda_2", "ratio", "stress_ratio", "stress_ratio_direct", "stress_ratio_excess",
+      "chance_one", "chance_two"};
   return names;
 }
 
@@ -110,6 +111,10 @@ Inference infer(const HeightFit& fit, const std::string& measure) {
     return by_t(ratio, ratio * one.lambda_1_error / one.lambda_1 * scale_of(one));
   }
   if (measure == "stress_ratio_direct") return fit.stress_ratio;
+  if (measure == "stress_ratio_excess") {
+    const auto fitted = infer(fit, "stress_ratio");
+    return by_t(fitted.value - fit.stress_ratio.value, std::hypot(fitted.error, fit.stress_ratio.error));
+  }
   // A chance is no estimate: it lies above or below a bound as it is.
   return by_t(measure == "chance_one" ? fit.chance_one : fit.chance_two, 0.0);
 }

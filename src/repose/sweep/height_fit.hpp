@@ -32,7 +32,8 @@ struct HeightFit {
 };
 
 /// The numbers of a fit by name: "lambda", "lambda_1", "lambda_2", "ratio" (lambda_1/lambda_2), "stress_ratio" (K from
-/// lambda), "stress_ratio_direct" (K from the loads), "chance_one", "chance_two".
+/// lambda), "stress_ratio_direct" (K from the loads), "stress_ratio_excess" (the first less the second), "chance_one",
+/// "chance_two".
 const std::vector<std::string>& height_fit_measures();
 
 /// One of these, with its error. Errors of the fit are scaled by (chi-square/degrees of freedom)^(1/2) where that is

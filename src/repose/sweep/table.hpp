@@ -25,6 +25,7 @@ struct MemberRow {
   std::vector<double> values;            ///< by measure; NaN where undefined, and for members that have not finished
   BaseProfile base;                      ///< empty unless finished
   std::vector<ColumnLayer> column = {};  ///< empty without
+  std::vector<double> drops = {};        ///< [M L/T^2] of the force in slips; empty without
 };
 
 /// The results of a sweep so far.

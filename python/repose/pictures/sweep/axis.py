@@ -59,7 +59,8 @@ def lines_along(sweep, key):
 
 def name_without(name, key, text):
     """The name of a point without its part "friction=0.5"; None where it has no such part."""
-    part = re.compile(rf"(^|_){re.escape(last_part(key))}={re.escape(text)}(?=_|$)")
+    in_name = re.sub(r"[^A-Za-z0-9._=+-]", "-", text)  # as names of points are made, for folders
+    part = re.compile(rf"(^|_){re.escape(last_part(key))}={re.escape(in_name)}(?=_|$)")
     return part.sub("", name, count=1).lstrip("_") if part.search(name) else None
 
 

@@ -93,6 +93,8 @@ void add_column(Registry& to) {
               of(&ColumnState::screening_length)));
   add(measure("column.janssen_ratio", "", "`load_ratio` by Janssen's law with that length",
               of(&ColumnState::janssen_ratio)));
+  add(measure("column.janssen_error", "", "load_ratio less janssen_ratio",
+              [](const Measured& run) { return run.results.column->load_ratio - run.results.column->janssen_ratio; }));
   add(measure("column.fit", "", "Janssen's law fitted to the loads of all levels",
               [](const Measured&) { return Object{}; }));
   add(measure("column.fit.lambda", "L", "the length, of one", fitted(&ColumnFit::lambda)));
