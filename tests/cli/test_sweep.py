@@ -9,6 +9,7 @@ import random
 import signal
 import subprocess
 import time
+from pathlib import Path
 
 import h5py
 import numpy as np
@@ -300,3 +301,12 @@ def test_check_writes_no_file(sweep):
     result = sweep("sweep", "sweep.toml", "--out", "out", "--check")
     assert result.returncode == 0 and "2 points with 3 seeds each" in result.stdout
     assert not (sweep.path / "out").exists()
+
+
+EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
+
+
+@pytest.mark.parametrize("path", sorted((EXAMPLES / "sweeps").glob("*.toml")), ids=lambda path: path.name)
+def test_the_sweeps_among_the_examples_are_sound(lab, path):
+    result = lab("sweep", path, "--check")
+    assert result.returncode == 0, result.stderr
