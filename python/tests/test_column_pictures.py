@@ -104,6 +104,22 @@ def test_column_without_a_known_law_shows_the_stresses_alone(tmp_path):
     assert not any("Janssen" in text.get_text() for text in figure.texts)
 
 
+def test_column_shows_which_loads_of_its_floor_statics_allows(tmp_path):
+    write_column_run(tmp_path)
+    run = repose.open(tmp_path)
+    run.summary["force_range"] = {"load_ratio": {"min": 0.5, "max": 3.0}}
+    with matplotlib.rc_context(style.RC):
+        figure = RUN_PICTURES["column"](run, run.state)
+    bars = [line for line in figure.axes[1].get_lines() if line.get_marker() == "|"]
+    assert len(bars) == 1 and "stress at the floor" in legend_of(figure)
+    np.testing.assert_allclose(bars[0].get_xdata(), np.array([0.5, 3.0]) * WEIGHT / WIDTH)
+    np.testing.assert_allclose(bars[0].get_ydata(), FLOOR)
+    run.summary["force_range"]["load_ratio"]["max"] = None  # no bound
+    with matplotlib.rc_context(style.RC):
+        figure = RUN_PICTURES["column"](run, run.state)
+    assert not [line for line in figure.axes[1].get_lines() if line.get_marker() == "|"]
+
+
 def test_column_motion(tmp_path):
     """The load is that of the lowest level wall at the rows of the motion."""
     (figure,) = drawn(write_column_run(tmp_path / "run"), "column_motion")

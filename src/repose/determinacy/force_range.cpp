@@ -155,10 +155,11 @@ class Ranges {
     }
   }
 
-  void of_load(const ForceSum& load, double weight) {
-    if (load.terms.empty() || !(weight > 0.0)) return;
-    range_.load_ratio = {number(equilibrium_.least(load)) / weight, number(equilibrium_.most(load)) / weight,
-                         load(cold_) / weight, load(equilibrium_.recorded()) / weight};
+  /// Of a sum of forces over the weight [grain weights] of what they act on.
+  AllowedRange over_weight(const ForceSum& sum, double weight) {
+    if (sum.terms.empty() || !(weight > 0.0)) return {};
+    return {number(equilibrium_.least(sum)) / weight, number(equilibrium_.most(sum)) / weight, sum(cold_) / weight,
+            sum(equilibrium_.recorded()) / weight};
   }
 
   /// Whether the simplex method gave up on a programme: recorded forces show that each has a solution.
@@ -264,20 +265,28 @@ class Ranges {
   bool failed_ = false;
 };
 
-/// The load on the floor of a column: on the level walls below it.
-ForceSum floor_load(const Record& record, const PipeWalls& pipe, const ContactProblem& posed) {
-  ForceSum sum;
-  if (record.column_series.empty() || !pipe.floor) return sum;
+/// The forces on the walls of a column.
+struct WallSums {
+  ForceSum floor;  ///< downwards, on the level walls below it
+  ForceSum sides;  ///< outwards, on the left and the right wall
+};
+
+WallSums wall_sums(const Record& record, const PipeWalls& pipe, const ContactProblem& posed) {
+  WallSums sums;
+  if (record.column_series.empty() || !pipe.floor) return sums;
   const double middle = record.walls[*pipe.floor].wall.point[1] + record.column_series.back().centre;
   for (std::size_t k = 0; k < posed.problem.contacts.size(); ++k) {
     const auto body = posed.problem.contacts[k].second;
     const auto wall = -1 - posed.places[body].id;
     if (wall < 0) continue;
     const auto w = static_cast<std::size_t>(wall);
-    if (w == pipe.left || w == pipe.right || !(record.walls[w].wall.point[1] < middle)) continue;
-    sum.terms.push_back(force_on_body(posed.problem, k, body, {{0.0, -1.0}}));
+    if (w == pipe.left || w == pipe.right) {
+      sums.sides.terms.push_back(force_on_body(posed.problem, k, body, {{w == pipe.left ? -1.0 : 1.0, 0.0}}));
+    } else if (record.walls[w].wall.point[1] < middle) {
+      sums.floor.terms.push_back(force_on_body(posed.problem, k, body, {{0.0, -1.0}}));
+    }
   }
-  return sum;
+  return sums;
 }
 
 ContactForces cold_forces(const Record& record, ContactProblem posed, ForceRange& range) {
@@ -327,10 +336,13 @@ ForceRange force_range(const Record& given, const Results& results) {
   ranges.of_bins(binned(base.profile(equilibrium.recorded()), scene.analysis.base_bin));
   ranges.of_largest();
   if (const auto pipe = find_pipe(scene); pipe && results.column) {
-    ranges.of_load(floor_load(record, *pipe, posed), results.column->mass / scene.usual_mass());
+    const auto sums = wall_sums(record, *pipe, posed);
+    const double weight = results.column->mass / scene.usual_mass();
+    range.load_ratio = ranges.over_weight(sums.floor, weight);
+    range.wall_ratio = ranges.over_weight(sums.sides, weight);
   }
   if (ranges.failed()) {
-    range.central_force = range.dip = range.largest = range.load_ratio = {};
+    range.central_force = range.dip = range.largest = range.load_ratio = range.wall_ratio = {};
     range.base = {};
     range.problem = "the simplex method found no extreme for a sum of forces: rounding is too large";
   }

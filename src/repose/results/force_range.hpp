@@ -39,6 +39,7 @@ struct ForceRange {
   AllowedRange dip;                           ///< dip index
   AllowedRange largest;                       ///< [grain weights] on any base grain
   AllowedRange load_ratio;                    ///< load of the floor of a column over its weight
+  AllowedRange wall_ratio;                    ///< normal force on its two walls over its weight
   BinnedRange base;
 
   std::int64_t degree() const { return unknowns - equations; }

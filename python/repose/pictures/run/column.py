@@ -23,7 +23,8 @@ def draw(run, state):
     """Figure of the last state, and of means over output.window."""
     column = analysis_table(run, state, "column", NO_COLUMN)
     largest = largest_of(run, state)
-    panel = make_panels(run, state, [3 * LEGEND_ROW], beside=BESIDE)[0]
+    rows = 3 if _allowed_load(run) is None else 4
+    panel = make_panels(run, state, [rows * LEGEND_ROW], beside=BESIDE)[0]
     add_network(panel, run, state, largest)
     figure = panel.figure
     place = panel.axes.get_position()
@@ -38,6 +39,10 @@ def draw(run, state):
     law = _law(run, column)
     if law.known:
         _draw_law(panel, axes, law, floor)
+    allowed = _allowed_load(run)
+    if allowed is not None:
+        handle = _draw_allowed(axes, np.array(allowed) * law.weight / law.width, floor)
+        legend_above(panel, [handle], "equilibrium of rigid grains allows:", 3 * LEGEND_ROW)
     axes.axvline(0.0, color=style.FAINT, linewidth=0.6, zorder=0)
     axes.locator_params(axis="x", nbins=6)
     axes.set_xlabel(units.stress("stress"))
@@ -81,3 +86,15 @@ def _draw_law(panel, axes, law, floor):
     ]
     numbers = f"measured K = {law.stress_ratio:.2f}, friction {law.friction:.2f}".replace("-", "−")
     legend_above(panel, handles, f"Janssen's law of the {numbers}:", 2 * LEGEND_ROW)
+
+
+def _allowed_load(run):
+    """Least and largest load of the floor over the weight that statics allows; None where that was not looked for."""
+    found = (run.summary.get("force_range") or {}).get("load_ratio") or {}
+    ends = [found.get("min"), found.get("max")]
+    return None if None in ends else ends
+
+
+def _draw_allowed(axes, ends, floor):
+    axes.plot(ends, [floor, floor], "|-", color=STRESS, linewidth=0.9, markersize=7, clip_on=False, zorder=3)
+    return Line2D([], [], color=STRESS, marker="|", markersize=7, linewidth=0.9, label="stress at the floor")

@@ -53,6 +53,7 @@ void add_force_range(Registry& to) {
   add_range("largest", &ForceRange::largest, "grain weights", "largest normal force on a base grain");
   add_range("load_ratio", &ForceRange::load_ratio, "",
             "load of the floor of a column between two upright walls over its weight, as `column.load_ratio`");
+  add_range("wall_ratio", &ForceRange::wall_ratio, "", "normal force on its two walls, summed, over its weight");
   to.groups.push_back(analysis_group<BinnedRange>(
       {"force_range",
        "bins",
