@@ -86,8 +86,8 @@ TEST(MeasuredColumn, SlicesBalance) {
   EXPECT_NEAR(mass, 12.0, 1e-12);
 }
 
-// Grains that touch nothing, lie outside the walls or have fallen below the floor do not count; what such a grain bears
-// from the column above is a load of the floor.
+// Grains that fall from above, lie outside the walls or have fallen below the floor do not count; what such a grain bears
+// from the column above is a load of the floor. One inside the column that touches nothing counts.
 TEST(MeasuredColumn, CountsTheGrainsOfTheColumnAlone) {
   Stack stack(4);
   stack.grains.add(unit_disc(0.0, 20.0), 100);
@@ -98,6 +98,10 @@ TEST(MeasuredColumn, CountsTheGrainsOfTheColumnAlone) {
   EXPECT_NEAR(column.row.height, 4.0, 1e-12);
   EXPECT_NEAR(column.row.centre, 2.0, 1e-12);
   EXPECT_NEAR(column.slices[0].load, 4.0 * (1.0 - 2.0 * shear) + 0.25, 1e-12);
+  std::erase_if(stack.contacts.list, [](const auto& c) { return c.second == 2 || c.first == 2; });
+  const auto hanging = measure_column(stack.pipe, stack.grains, stack.contacts, 4);
+  EXPECT_NEAR(hanging.row.centre, 2.0, 1e-12);
+  EXPECT_NEAR(hanging.row.solid_fraction, column.row.solid_fraction, 1e-12);
   const auto none = measure_column(stack.pipe, {}, {}, 4);
   EXPECT_EQ(none.row.height, 0.0);
   EXPECT_TRUE(std::isnan(none.row.solid_fraction));

@@ -24,13 +24,24 @@ struct Disc {
 std::vector<Disc> column_discs(const Pipe& pipe, const Grains<2>& grains, const Contacts<2>& contacts) {
   const auto touching = supported(grains, contacts);
   std::vector<Disc> discs;
-  for (std::size_t k = 0; k < grains.size(); ++k) {
-    const auto& grain = grains.line[k];
-    const double x = grain.position[0];
-    const double y = grain.position[1] - pipe.floor;
-    if (!touching[k] || x <= pipe.left || x >= pipe.right || y < 0.0) continue;
-    discs.push_back({x, y, grain.radius, grain.mass, grains.id[k]});
-  }
+  double top = 0.0;  // of the discs that touch something
+  const auto add = [&](bool that_touch) {
+    for (std::size_t k = 0; k < grains.size(); ++k) {
+      const auto& grain = grains.line[k];
+      const double x = grain.position[0];
+      const double y = grain.position[1] - pipe.floor;
+      if (touching[k] != that_touch || grain.fixed()) continue;
+      if (!(x > pipe.left && x < pipe.right && y >= 0.0)) continue;
+      if (that_touch) {
+        top = std::max(top, y + grain.radius);
+      } else if (!(y - grain.radius < top)) {
+        continue;  // falls towards the column
+      }
+      discs.push_back({x, y, grain.radius, grain.mass, grains.id[k]});
+    }
+  };
+  add(true);
+  add(false);
   std::sort(discs.begin(), discs.end(),
             [](const Disc& a, const Disc& b) { return a.y != b.y ? a.y < b.y : a.id < b.id; });
   return discs;

@@ -22,7 +22,8 @@ struct Pipe {
   double width() const { return right - left; }
 };
 
-/// The column of grains in a pipe at one time. Only grains that touch something count.
+/// The column of grains in a pipe at one time. Grains that touch something count, and those between them that touch
+/// nothing at that moment; grains that still fall towards it do not.
 struct ColumnRow {
   double height = 0.0;          ///< [L] mean height of the surface above the floor
   double centre = 0.0;          ///< [L] of the centre of mass above the floor

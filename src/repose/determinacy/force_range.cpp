@@ -155,7 +155,7 @@ class Ranges {
     }
   }
 
-  /// Of a sum of forces over the weight [grain weights] of what they act on.
+  /// The range of a sum of forces, over the weight [grain weights] of what they act on.
   AllowedRange over_weight(const ForceSum& sum, double weight) {
     if (sum.terms.empty() || !(weight > 0.0)) return {};
     return {number(equilibrium_.least(sum)) / weight, number(equilibrium_.most(sum)) / weight, sum(cold_) / weight,
