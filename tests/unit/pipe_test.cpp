@@ -86,8 +86,8 @@ TEST(MeasuredColumn, SlicesBalance) {
   EXPECT_NEAR(mass, 12.0, 1e-12);
 }
 
-// Grains that fall from above, lie outside the walls or have fallen below the floor do not count; what such a grain bears
-// from the column above is a load of the floor. One inside the column that touches nothing counts.
+// Grains that fall from above, lie outside the walls or have fallen below the floor do not count; what such a grain
+// bears from the column above is a load of the floor. One inside the column that touches nothing counts.
 TEST(MeasuredColumn, CountsTheGrainsOfTheColumnAlone) {
   Stack stack(4);
   stack.grains.add(unit_disc(0.0, 20.0), 100);
