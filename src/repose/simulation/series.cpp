@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace repose {
 
@@ -80,10 +81,11 @@ std::size_t followed_slices(const Scene& scene) {
 
 void Series::add_column(const Simulation& simulation, const Contacts<2>& contacts, const Method<2>& method) {
   const auto& scene = simulation.scene();
-  const auto slices = followed_slices(scene);
-  if (slices == 0) return;
+  const auto pipe = scene.method->traits().has_forces() ? find_pipe(scene) : std::nullopt;
+  if (!pipe) return;
   const auto walls = recorded_walls(scene, method.walls(), simulation.time());
-  const auto column = measure_column(find_pipe(scene)->at(walls), simulation.grains(), contacts, slices);
+  const auto column =
+      measure_column(pipe->at(walls), simulation.grains(), contacts, static_cast<std::size_t>(scene.output.slices));
   columns_.push_back(column.row);
   slices_.insert(slices_.end(), column.slices.begin(), column.slices.end());
 }
