@@ -157,10 +157,12 @@ std::string describe_table(const SweepFolder& folder, const SweepTable& table) {
     if (table.failed[p] > 0) text += fmt::format("  {} failed", table.failed[p]);
     text += "\n";
   }
+  const bool has_drops = std::any_of(table.members.begin(), table.members.end(),
+                                     [](const MemberRow& member) { return !member.drops.empty(); });
   text += claims_text(plan, table);
   text += fmt::format("\nwritten          {}/table.csv, members.csv, {}sweep.h5\n", folder.path(),
                       std::string(plan.claims.empty() ? "" : "claims.csv, claims.json, ") +
-                          (plan.fits.empty() ? "" : "heights.csv, heights.json, "));
+                          (plan.fits.empty() ? "" : "heights.csv, heights.json, ") + (has_drops ? "drops.csv, " : ""));
   return text;
 }
 
