@@ -6,6 +6,7 @@ option(REPOSE_UNITY "Compile some files of a folder together, which parses heade
 # test with Eigen, whose headers are at odds with those of Random123 in one file.
 set(compiled_alone
   src/repose/core/reproducible_powers src/repose/methods/soft/general_kernel
+  src/repose/methods/soft/rows/rows_scalar src/repose/methods/soft/rows/rows_baseline
   src/repose/results/subjects src/repose/scene/toml_file
   tests/unit/chains_test tests/unit/contact_dynamics_walls_test tests/unit/contact_packs_test tests/unit/fabric_test
   tests/unit/motion_test tests/unit/reproducible_math_test tests/unit/simulation_test tests/unit/sources_test

@@ -73,6 +73,13 @@ def test_state_does_not_depend_on_the_processor(scene, listed, tmp_path):
     assert hash_of(scene, tmp_path / "out", 1, WITHOUT_FUSED_MULTIPLY_ADD) == listed.get(scene)
 
 
+@pytest.mark.parametrize("instructions", ["scalar", "baseline"])
+@pytest.mark.parametrize("scene", [scene for scene in SCENES if not scene.startswith("deposition")])
+def test_state_does_not_depend_on_the_instruction_set(scene, instructions, listed, tmp_path):
+    environment = {"REPOSE_INSTRUCTION_SET": instructions}
+    assert hash_of(scene, tmp_path / "out", 1, environment) == listed.get(scene)
+
+
 def print_list():
     print(HEAD, end="")
     for scene in SCENES:

@@ -16,7 +16,7 @@ namespace {
 using IdPair = std::pair<std::int64_t, std::int64_t>;
 
 template <int D>
-Grains<D> random_grains(std::uint64_t seed, int count, double width, double largest_speed) {
+Grains<D> random_grains(std::uint64_t seed, int count, double width, double largest_speed, int large = 0) {
   Grains<D> grains;
   for (int k = 0; k < count; ++k) {
     const auto number = [&](std::uint32_t draw) {
@@ -28,7 +28,7 @@ Grains<D> random_grains(std::uint64_t seed, int count, double width, double larg
       grain.position[axis] = width * (number(a) - 0.5);
       grain.velocity[axis] = largest_speed * std::pow(2.0 * number(10 + a) - 1.0, 9);  // a few fast, many slow
     }
-    grain.radius = 0.3 + 0.2 * number(20);
+    grain.radius = k < large ? 0.5 + 6.0 * number(22) : 0.3 + 0.2 * number(20);
     grain.mass = 1.0;
     grain.inverse_mass = number(21) < 0.1 ? 0.0 : 1.0;
     if (grain.fixed()) grain.velocity = {};
@@ -72,7 +72,8 @@ void move(Grains<D>& grains, double dt) {
 
 /// Moves grains uniformly, rebuilds the list by its own rules, and compares it with brute force at every step.
 template <int D>
-void check_against_brute_force(std::uint64_t seed, int count, double width, bool periodic, double horizon) {
+void check_against_brute_force(std::uint64_t seed, int count, double width, bool periodic, double horizon,
+                               int large = 0) {
   Box<D> box;
   box.periodic = periodic;
   box.x_min = -0.5 * width;
@@ -83,7 +84,7 @@ void check_against_brute_force(std::uint64_t seed, int count, double width, bool
   }
   const double cutoff = 1.2;
   const double dt = 0.01;
-  Grains<D> grains = random_grains<D>(seed, count, width, 12.0);
+  Grains<D> grains = random_grains<D>(seed, count, width, 12.0, large);
   PairList<D> pairs({.cutoff = cutoff, .skin = 0.3, .horizon = horizon, .gravity = 0.0});
   Team team(2);
   for (int step = 0; step < 40; ++step) {
@@ -113,6 +114,19 @@ RC_GTEST_PROP(PairListProperty, MissesNoPair3D, ()) {
   const auto count = *rc::gen::inRange(1, 150);
   const auto width = *rc::gen::element(4.0, 7.0, 12.0);
   check_against_brute_force<3>(seed, count, width, *rc::gen::arbitrary<bool>(), *rc::gen::element(0.0, 0.1));
+  RC_ASSERT(!::testing::Test::HasFailure());
+}
+
+// A few large grains are searched for apart from the cells, which are as small as most grains.
+RC_GTEST_PROP(PairListProperty, MissesNoPairOfLargeGrains, ()) {
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  const bool periodic = *rc::gen::arbitrary<bool>();
+  const auto count = *rc::gen::inRange(20, 150);
+  const auto large = *rc::gen::inRange(1, 12);
+  const auto width = *rc::gen::element(20.0, 40.0);
+  const auto horizon = *rc::gen::element(0.0, 0.1);
+  check_against_brute_force<2>(seed, count, width, periodic, horizon, large);
+  check_against_brute_force<3>(seed, count, width, periodic, horizon, large);
   RC_ASSERT(!::testing::Test::HasFailure());
 }
 

@@ -6,6 +6,7 @@
 #include "repose/cli/verbs.hpp"
 #include "repose/core/errors.hpp"
 #include "repose/core/failure.hpp"
+#include "repose/core/instruction_set.hpp"
 
 #include <exception>
 
@@ -15,6 +16,7 @@ namespace {
 int carry_out(int argc, char** argv) {
   using namespace repose;
   try {
+    chosen_instruction_set();  // a wrong name is an error before anything is done
     const auto program = repose_program();
     const auto [verb, status] = parse(program, argc, argv, exit_bad_input);
     return verb == nullptr ? status : verb->act();

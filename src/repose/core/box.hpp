@@ -27,7 +27,7 @@ struct Box {
 
   /// The position with x moved into [x_min, x_max) if the box is periodic.
   Vec<D> wrapped(Vec<D> position) const {
-    if (!periodic) return position;
+    if (!periodic || (position[0] >= x_min && position[0] < x_max)) return position;
     position[0] -= width() * std::floor((position[0] - x_min) / width());
     if (position[0] >= x_max) position[0] = x_min;  // a position just below x_min rounds up to x_max
     return position;
@@ -47,7 +47,8 @@ REPOSE_FN Vec<D> separation(const Vec<D>& a, const Vec<D>& b, const Box<D>& box)
 }
 
 template <int D>
-REPOSE_FN Vec<D> separation(const Vec<D>& a, const Vec<D>& b, const Box<D>& box) {
+requires(D > 1)  // not the one above with D = false
+    REPOSE_FN Vec<D> separation(const Vec<D>& a, const Vec<D>& b, const Box<D>& box) {
   return box.periodic ? separation<true>(a, b, box) : separation<false>(a, b, box);
 }
 

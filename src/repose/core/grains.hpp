@@ -83,23 +83,38 @@ struct Grains {
     archive.check("grains/half_step", half_step.empty() || half_step.size() == size());
   }
 
+  /// Takes grains of another array: entry k is its entry order[k]. The memory of this array is used again.
+  void take(const Grains& from, const std::vector<std::uint32_t>& order) {
+    take(from.line, order, line);
+    take(from.id, order, id);
+    take(from.material, order, material);
+    take(from.base, order, base);
+    take(from.reaction, order, reaction);
+    half_step.clear();
+    if (!from.half_step.empty()) take(from.half_step, order, half_step);
+  }
+
+  void swap(Grains& other) noexcept {
+    line.swap(other.line);
+    id.swap(other.id);
+    material.swap(other.material);
+    base.swap(other.base);
+    reaction.swap(other.reaction);
+    half_step.swap(other.half_step);
+  }
+
   /// Reorders (or drops) grains: entry k of the new arrays is entry order[k] of the old.
   void reorder(const std::vector<std::uint32_t>& order) {
-    take(line, order);
-    take(id, order);
-    take(material, order);
-    take(base, order);
-    take(reaction, order);
-    if (!half_step.empty()) take(half_step, order);
+    Grains taken;
+    taken.take(*this, order);
+    swap(taken);
   }
 
  private:
   template <class T>
-  static void take(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
-    std::vector<T> taken;
-    taken.reserve(values.capacity());
-    for (const auto k : order) taken.push_back(values[k]);
-    values.swap(taken);
+  static void take(const std::vector<T>& from, const std::vector<std::uint32_t>& order, std::vector<T>& to) {
+    to.resize(order.size());
+    for (std::size_t k = 0; k < order.size(); ++k) to[k] = from[order[k]];
   }
 };
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <barrier>
+#include "repose/core/barrier.hpp"
+
 #include <functional>
 #include <thread>
 #include <vector>
@@ -29,9 +30,9 @@ class Team {
   void serve(int member);
 
   int size_;
-  std::barrier<> start_;
-  std::barrier<> finish_;
-  std::barrier<> inside_;
+  Barrier start_;
+  Barrier finish_;
+  Barrier inside_;
   const std::function<void(int)>* task_ = nullptr;  // null tells the threads to end
   std::vector<std::thread> threads_;
 };

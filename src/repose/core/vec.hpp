@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/choose.hpp"
 #include "repose/core/inline.hpp"
 
 #include <array>
-#include <cmath>
 #include <type_traits>
 
 namespace repose {
 
-/// A vector of D numbers.
-template <int D>
+/// A vector of D numbers, or of D packs of numbers.
+template <int D, class T = double>
 struct Vec {
-  std::array<double, D> c{};
+  T c[D]{};  // NOLINT: std::array has functions of its own, which need not be inlined
 
-  REPOSE_FN constexpr double& operator[](int k) { return c[static_cast<std::size_t>(k)]; }
-  REPOSE_FN constexpr double operator[](int k) const { return c[static_cast<std::size_t>(k)]; }
+  REPOSE_FN constexpr T& operator[](int k) { return c[k]; }
+  REPOSE_FN constexpr const T& operator[](int k) const { return c[k]; }
   REPOSE_FN constexpr Vec& operator+=(const Vec& b) {
     for (int k = 0; k < D; ++k) (*this)[k] += b[k];
     return *this;
@@ -25,7 +25,7 @@ struct Vec {
     for (int k = 0; k < D; ++k) (*this)[k] -= b[k];
     return *this;
   }
-  REPOSE_FN constexpr Vec& operator*=(double s) {
+  REPOSE_FN constexpr Vec& operator*=(const T& s) {
     for (int k = 0; k < D; ++k) (*this)[k] *= s;
     return *this;
   }
@@ -34,7 +34,7 @@ struct Vec {
 
 /// Two numbers in one vector register: the pair kernel is faster than with two scalar registers (./dev bench).
 template <>
-struct Vec<2> {
+struct Vec<2, double> {
   using Both = double __attribute__((vector_size(16)));
   Both c{};
 
@@ -57,30 +57,36 @@ struct Vec<2> {
   friend bool operator==(const Vec& a, const Vec& b) { return a[0] == b[0] && a[1] == b[1]; }
 };
 
-template <int D>
-REPOSE_FN constexpr Vec<D> operator+(Vec<D> a, const Vec<D>& b) {
+template <int D, class T>
+REPOSE_FN constexpr Vec<D, T> operator+(Vec<D, T> a, const Vec<D, T>& b) {
   return a += b;
 }
-template <int D>
-REPOSE_FN constexpr Vec<D> operator-(Vec<D> a, const Vec<D>& b) {
+template <int D, class T>
+REPOSE_FN constexpr Vec<D, T> operator-(Vec<D, T> a, const Vec<D, T>& b) {
   return a -= b;
 }
-template <int D>
-REPOSE_FN constexpr Vec<D> operator-(Vec<D> a) {
-  return a *= -1.0;
+template <int D, class T>
+REPOSE_FN constexpr Vec<D, T> operator-(Vec<D, T> a) {
+  return a *= T(-1.0);
 }
-template <int D>
-REPOSE_FN constexpr Vec<D> operator*(Vec<D> a, double s) {
+template <int D, class T>
+REPOSE_FN constexpr Vec<D, T> operator*(Vec<D, T> a, const std::type_identity_t<T>& s) {
   return a *= s;
 }
-template <int D>
-REPOSE_FN constexpr Vec<D> operator*(double s, Vec<D> a) {
+template <int D, class T>
+REPOSE_FN constexpr Vec<D, T> operator*(const std::type_identity_t<T>& s, Vec<D, T> a) {
   return a *= s;
+}
+template <int D, class T, class Condition>
+REPOSE_FN Vec<D, T> choose(const Condition& condition, const Vec<D, T>& yes, const Vec<D, T>& no) {
+  Vec<D, T> chosen;
+  for (int k = 0; k < D; ++k) chosen[k] = choose(condition, T(yes[k]), T(no[k]));
+  return chosen;
 }
 
-template <int D>
-REPOSE_FN constexpr double dot(const Vec<D>& a, const Vec<D>& b) {
-  double sum = a[0] * b[0];
+template <int D, class T>
+REPOSE_FN constexpr T dot(const Vec<D, T>& a, const Vec<D, T>& b) {
+  T sum = a[0] * b[0];
   for (int k = 1; k < D; ++k) sum += a[k] * b[k];
   return sum;
 }
@@ -97,44 +103,68 @@ template <int D>
 inline constexpr int up = D - 1;
 
 /// An angular velocity: counter-clockwise rate in 2D, axial vector in 3D.
-template <int D>
-using Spin = std::conditional_t<D == 2, double, Vec<D>>;
+template <int D, class T = double>
+using Spin = std::conditional_t<D == 2, T, Vec<D, T>>;
 
 /// A quantity in the contact's tangent plane: component along t = z x n in 2D, vector in 3D.
-template <int D>
-using Tangent = std::conditional_t<D == 2, double, Vec<D>>;
+template <int D, class T = double>
+using Tangent = std::conditional_t<D == 2, T, Vec<D, T>>;
 
-REPOSE_FN double magnitude(double a) { return std::fabs(a); }
-template <int D>
-REPOSE_FN double magnitude(const Vec<D>& a) {
-  return std::sqrt(dot(a, a));
+template <int D, class T>
+REPOSE_FN T magnitude(const Vec<D, T>& a) {
+  return root(dot(a, a));
 }
 
 REPOSE_FN double squared(double a) { return a * a; }
-template <int D>
-REPOSE_FN double squared(const Vec<D>& a) {
+template <int D, class T>
+REPOSE_FN T squared(const Vec<D, T>& a) {
   return dot(a, a);
 }
 
 /// The part of a that is perpendicular to the unit normal n.
-REPOSE_FN double tangential(const Vec<2>& a, const Vec<2>& n) { return a[1] * n[0] - a[0] * n[1]; }
-REPOSE_FN Vec<3> tangential(const Vec<3>& a, const Vec<3>& n) { return a - n * dot(a, n); }
+template <class T>
+REPOSE_FN T tangential(const Vec<2, T>& a, const Vec<2, T>& n) {
+  return a[1] * n[0] - a[0] * n[1];
+}
+template <class T>
+REPOSE_FN Vec<3, T> tangential(const Vec<3, T>& a, const Vec<3, T>& n) {
+  return a - n * dot(a, n);
+}
 
-REPOSE_FN constexpr Vec<3> cross(const Vec<3>& a, const Vec<3>& b) {
+template <class T>
+REPOSE_FN constexpr Vec<3, T> cross(const Vec<3, T>& a, const Vec<3, T>& b) {
   return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
 }
 
 /// Surface velocity per unit lever of a spinning grain: spin x n, as a tangent.
-REPOSE_FN double spin_cross(double spin, const Vec<2>&) { return spin; }
-REPOSE_FN Vec<3> spin_cross(const Vec<3>& spin, const Vec<3>& n) { return cross(spin, n); }
+template <class T>
+REPOSE_FN T spin_cross(const T& spin, const Vec<2, T>&) {
+  return spin;
+}
+template <class T>
+REPOSE_FN Vec<3, T> spin_cross(const Vec<3, T>& spin, const Vec<3, T>& n) {
+  return cross(spin, n);
+}
 
 /// Torque per unit lever of a tangential force: n x force.
-REPOSE_FN double normal_cross(const Vec<2>&, double force) { return force; }
-REPOSE_FN Vec<3> normal_cross(const Vec<3>& n, const Vec<3>& force) { return cross(n, force); }
+template <class T>
+REPOSE_FN T normal_cross(const Vec<2, T>&, const T& force) {
+  return force;
+}
+template <class T>
+REPOSE_FN Vec<3, T> normal_cross(const Vec<3, T>& n, const Vec<3, T>& force) {
+  return cross(n, force);
+}
 
 /// The tangent as a vector in space.
-REPOSE_FN Vec<2> in_space(double tangent, const Vec<2>& n) { return {{-n[1] * tangent, n[0] * tangent}}; }
-REPOSE_FN Vec<3> in_space(const Vec<3>& tangent, const Vec<3>&) { return tangent; }
+template <class T>
+REPOSE_FN Vec<2, T> in_space(const T& tangent, const Vec<2, T>& n) {
+  return {{-n[1] * tangent, n[0] * tangent}};
+}
+template <class T>
+REPOSE_FN Vec<3, T> in_space(const Vec<3, T>& tangent, const Vec<3, T>&) {
+  return tangent;
+}
 
 /// A tangential displacement stored for contact (i, j), converted to contact (j, i). n and t both reverse, so the
 /// component in 2D keeps its sign and the vector in 3D changes sign.
@@ -142,13 +172,16 @@ REPOSE_FN double swapped(double tangent) { return tangent; }
 REPOSE_FN Vec<3> swapped(const Vec<3>& tangent) { return -tangent; }
 
 /// Rotates a stored tangent with the contact: projects it on the tangent plane of the new normal and keeps its length.
-REPOSE_FN double turned(double tangent, const Vec<2>&) { return tangent; }
-REPOSE_FN Vec<3> turned(const Vec<3>& tangent, const Vec<3>& n) {
-  const double before = dot(tangent, tangent);
-  if (before == 0.0) return tangent;
-  const Vec<3> flat = tangential(tangent, n);
-  const double after = dot(flat, flat);
-  return after > 0.0 ? flat * std::sqrt(before / after) : Vec<3>{};
+template <class T>
+REPOSE_FN T turned(const T& tangent, const Vec<2, T>&) {
+  return tangent;
+}
+template <class T>
+REPOSE_FN Vec<3, T> turned(const Vec<3, T>& tangent, const Vec<3, T>& n) {
+  const Vec<3, T> flat = tangential(tangent, n);
+  const T before = dot(tangent, tangent);
+  const T after = dot(flat, flat);
+  return flat * choose(after > T(0.0), root(before / after), T(0.0));
 }
 
 }  // namespace repose

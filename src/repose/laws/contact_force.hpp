@@ -6,15 +6,17 @@
 #include "repose/laws/pair_law.hpp"
 #include "repose/laws/touch.hpp"
 
+#include <type_traits>
+
 namespace repose {
 
 /// The forces of one contact on its first grain.
-template <class Tangential>
+template <class Tangential, class T = double>
 struct ContactForce {
-  NormalForce<double> normal;  ///< without cohesion
-  double attraction = 0.0;     ///< [M L/T^2] cohesive force, >= 0, to be subtracted from the normal force
-  Tangential tangential{};     ///< [M L/T^2]
-  Tangential rolling{};        ///< [M L/T^2] rolling torque divided by the roll radius; opposite on the second grain
+  NormalForce<T> normal;    ///< without cohesion
+  T attraction{};           ///< [M L/T^2] cohesive force, >= 0, to be subtracted from the normal force
+  Tangential tangential{};  ///< [M L/T^2]
+  Tangential rolling{};     ///< [M L/T^2] rolling torque divided by the roll radius; opposite on the second grain
 };
 
 /// What a contact keeps of its past: displacements [L] in its tangent plane, and whether it is bonded.
@@ -28,11 +30,12 @@ struct ContactHistory {
 /// Evaluates all laws of a pair in reach, and advances its history by dt. The roll velocity is the roll radius times
 /// the angular velocity of the first grain minus that of the second. Friction and rolling resistance depend on the
 /// normal force without cohesion.
-template <class Law, class Tangential>
-REPOSE_FN ContactForce<Tangential> contact_force(const Law& law, const Touch<double>& touch,
-                                                 const Tangential& slip_velocity, const Tangential& roll_velocity,
-                                                 double dt, ContactHistory<Tangential>& history) {
-  ContactForce<Tangential> force{
+template <class Law, class T, class Tangential>
+REPOSE_FN ContactForce<Tangential, T> contact_force(const Law& law, const Touch<T>& touch,
+                                                    const Tangential& slip_velocity, const Tangential& roll_velocity,
+                                                    const std::type_identity_t<T>& dt,
+                                                    ContactHistory<Tangential>& history) {
+  ContactForce<Tangential, T> force{
       normal_force(law.normal, touch), attraction(law.cohesion, touch, history.bonded), {}, {}};
   if constexpr (Law::coheres) {
     if (touch.engagement < 0.0) {  // bonded beyond the reach of the normal law
@@ -48,20 +51,20 @@ REPOSE_FN ContactForce<Tangential> contact_force(const Law& law, const Touch<dou
 
 /// The time [T] by which displacements advance before the force. A contact without displacements that was out of reach
 /// a step ago has existed since it entered the reach; half a step instead would be an error of first order.
-template <class Tangential>
-REPOSE_FN double time_before_force(const HalfSteps& times, const Touch<double>& touch,
-                                   const ContactHistory<Tangential>& history) {
-  const bool began = touch.engagement < 2.0 * times.before * touch.closing_speed && history.slip == Tangential{} &&
-                     history.roll == Tangential{};
-  return began ? touch.engagement / touch.closing_speed : times.before;
+template <class T, class Tangential>
+REPOSE_FN T time_before_force(const HalfSteps& times, const Touch<T>& touch,
+                              const ContactHistory<Tangential>& history) {
+  const auto entered = touch.engagement < 2.0 * times.before * touch.closing_speed;
+  const auto displaced = magnitude(history.slip) > T(0.0) || magnitude(history.roll) > T(0.0);
+  return choose(entered && !displaced, touch.engagement / touch.closing_speed, T(times.before));
 }
 
 /// The same from velocities at the time of the force. The history then belongs to the middle between two forces.
-template <class Law, class Tangential>
-REPOSE_FN ContactForce<Tangential> contact_force(const Law& law, const Touch<double>& touch,
-                                                 const Tangential& slip_velocity, const Tangential& roll_velocity,
-                                                 const HalfSteps& times, ContactHistory<Tangential>& history) {
-  const double before = time_before_force(times, touch, history);
+template <class Law, class T, class Tangential>
+REPOSE_FN ContactForce<Tangential, T> contact_force(const Law& law, const Touch<T>& touch,
+                                                    const Tangential& slip_velocity, const Tangential& roll_velocity,
+                                                    const HalfSteps& times, ContactHistory<Tangential>& history) {
+  const T before = time_before_force(times, touch, history);
   const auto force = contact_force(law, touch, slip_velocity, roll_velocity, before, history);
   if constexpr (Law::coheres) {
     if (touch.engagement < 0.0) return force;

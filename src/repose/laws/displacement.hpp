@@ -5,6 +5,8 @@
 #include "repose/core/inline.hpp"
 #include "repose/laws/touch.hpp"
 
+#include <type_traits>
+
 namespace repose {
 
 /// How the displacements of a contact advance in a step whose velocities are those of the time of the force. Half of
@@ -16,9 +18,9 @@ struct HalfSteps {
 
 /// The displacement [L] after a contact has moved for dt at this velocity [L/T], before friction limits it. A law that
 /// keeps no displacement, or scales it, has a function of its own.
-template <class Law, class Tangential>
-REPOSE_FN Tangential displaced(const Law&, const Touch<double>&, const Tangential& velocity, double dt,
-                               const Tangential& displacement) {
+template <class Law, class T, class Tangential>
+REPOSE_FN Tangential displaced(const Law&, const Touch<T>&, const Tangential& velocity,
+                               const std::type_identity_t<T>& dt, const Tangential& displacement) {
   return displacement + velocity * dt;
 }
 

@@ -27,7 +27,7 @@ Impact head_on(const AnyNormal& law, const ImpactConditions& c) {
   const double within = reach(law) * c.diameter;
   const auto force = [&](const Approach& at) {
     return normal_force(law, make_touch(at.distance, 1.0 / at.distance, c.diameter, within, at.speed, c.mass,
-                                        c.reduced_mass, 0.5 * c.diameter));
+                                        1.0 / c.reduced_mass, 0.5 * c.diameter));
   };
   const auto change = [&](const Approach& at) {
     const double push = at.distance < within ? force(at).total : 0.0;

@@ -21,6 +21,7 @@ class MaterialTable {
     REPOSE_ASSERT(laws_.size() == materials_ * materials_ && materials_ > 0);
   }
 
+  std::size_t materials() const { return materials_; }
   bool single() const { return laws_.size() == 1; }
   const Law& first() const { return laws_.front(); }
   const std::vector<Law>& all() const { return laws_; }

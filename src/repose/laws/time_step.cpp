@@ -110,8 +110,8 @@ double least_piston_mass(const ContactLaws& laws, const GrainSize& grain, const 
   const double overlap = static_overlap(normal_law, m, d, load_of_normal_law(laws, 0.5 * d, load.force));
   if (!std::isfinite(overlap)) return 0.0;
   const double distance = d - overlap;
-  const double reduced_mass = m * load.mass / (m + load.mass);
-  const auto touch = make_touch(distance, 1.0 / distance, d, reach(normal_law) * d, 0.0, m, reduced_mass, 0.5 * d);
+  const double inverse_mass = 1.0 / m + 1.0 / load.mass;
+  const auto touch = make_touch(distance, 1.0 / distance, d, reach(normal_law) * d, 0.0, m, inverse_mass, 0.5 * d);
   const auto normal = normal_response(normal_law, touch);
   const auto surface = surface_response({laws.tangential}, touch, normal_force(normal_law, touch));
   const double head_on = load.alignment * load.alignment;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/choose.hpp"
 #include "repose/core/inline.hpp"
 
-#include <algorithm>
 #include <limits>
 
 namespace repose {
@@ -20,22 +20,25 @@ struct Touch {
   T engagement;        ///< [L] cutoff distance - distance, > 0: depth of the pair within the reach of the normal law
   T closing_speed;     ///< [L/T]
   T mass;              ///< [M] 2 m_i m_j / (m_i + m_j) of the nominal masses; for equal grains, the mass of one
-  T reduced_mass;      ///< [M] m_i m_j / (m_i + m_j), where a fixed partner has infinite mass
+  T inverse_mass;      ///< [1/M] 1 / m_i + 1 / m_j, where a fixed partner has infinite mass
   T roll_radius;       ///< [L] 2 R_i R_j / (R_i + R_j); for equal grains, the radius of one
   T effective_radius;  ///< [L] R* = R_i R_j / (R_i + R_j) of elastic contacts; the radius of a grain on a flat wall
+
+  /// [M] m_i m_j / (m_i + m_j), where a fixed partner has infinite mass. Few laws need it, and it costs a division.
+  REPOSE_FN T reduced_mass() const { return T(1.0) / inverse_mass; }
 };
 
 /// A touch from its independent numbers; `within` [L] is the distance below which the normal law acts. Without the last
 /// two numbers, both grains are free and of one size.
 template <class T>
 REPOSE_FN Touch<T> make_touch(T distance, T inverse_distance, T diameter, T within, T closing_speed, T mass,
-                              T reduced_mass, T roll_radius) {
+                              T inverse_mass, T roll_radius) {
   return {distance, inverse_distance, diameter,    diameter - distance, within - distance, closing_speed,
-          mass,     reduced_mass,     roll_radius, T(0.5) * roll_radius};
+          mass,     inverse_mass,     roll_radius, T(0.5) * roll_radius};
 }
 template <class T>
 REPOSE_FN Touch<T> make_touch(T distance, T inverse_distance, T diameter, T within, T closing_speed, T mass) {
-  return make_touch(distance, inverse_distance, diameter, within, closing_speed, mass, T(0.5) * mass,
+  return make_touch(distance, inverse_distance, diameter, within, closing_speed, mass, T(2.0) / mass,
                     T(0.5) * diameter);
 }
 
@@ -47,20 +50,10 @@ struct NormalForce {
   T stiffness{};  ///< [M/T^2] -d(elastic)/d(distance)
 };
 
-template <class T>
-REPOSE_FN T choose(bool condition, T yes, T no) {
-  return condition ? yes : no;
-}
-
-template <class T>
-REPOSE_FN T positive_part(T a) {
-  return choose(a > T(0), a, T(0));
-}
-
 /// The total force, set to zero if it is negative and `attraction` is off: dry grains do not attract each other.
 template <class T>
 REPOSE_FN T without_attraction(bool attraction, T force) {
-  return std::max(force, attraction ? -std::numeric_limits<T>::infinity() : T(0));
+  return larger(force, T(attraction ? -std::numeric_limits<double>::infinity() : 0.0));
 }
 
 }  // namespace repose

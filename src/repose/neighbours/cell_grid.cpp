@@ -5,7 +5,7 @@
 namespace repose {
 
 template <int D>
-CellGrid<D>::CellGrid(const std::vector<Vec<D>>& positions, const Box<D>& box, double cell_size) {
+void CellGrid<D>::build(const std::vector<Vec<D>>& positions, const Box<D>& box, double cell_size) {
   Vec<D> low = positions.empty() ? Vec<D>{} : positions.front();
   Vec<D> high = low;
   for (const auto& position : positions) {
@@ -33,22 +33,25 @@ CellGrid<D>::CellGrid(const std::vector<Vec<D>>& positions, const Box<D>& box, d
       const double extent = high[axis] - low[axis];
       count_[a] = std::max(1, static_cast<int>(std::floor(extent / size)) + (wraps ? 0 : 1));
       size_[a] = wraps ? extent / count_[a] : size;
+      inverse_size_[a] = 1.0 / size_[a];
     }
     break;
   }
 
   std::size_t cells = 1;
   for (const int n : count_) cells *= static_cast<std::size_t>(n);
-  std::vector<std::uint32_t> cell(positions.size());
-  start_.assign(cells + 1, 0);
+  // start_[c + 1] counts the grains of cell c, then is its first place, and after the last loop that of cell c + 1.
+  cell_.resize(positions.size());
+  start_.assign(cells + 2, 0);
   for (std::size_t k = 0; k < positions.size(); ++k) {
-    cell[k] = static_cast<std::uint32_t>(index(cell_of(positions[k])));
-    ++start_[cell[k] + 1];
+    cell_[k] = static_cast<std::uint32_t>(index(cell_of(positions[k])));
+    ++start_[cell_[k] + 2];
   }
-  for (std::size_t c = 0; c < cells; ++c) start_[c + 1] += start_[c];
-  std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
+  for (std::size_t c = 2; c < start_.size(); ++c) start_[c] += start_[c - 1];
   order_.resize(positions.size());
-  for (std::size_t k = 0; k < positions.size(); ++k) order_[next[cell[k]]++] = static_cast<std::uint32_t>(k);
+  for (std::size_t k = 0; k < positions.size(); ++k) {
+    order_[start_[cell_[k] + 1]++] = static_cast<std::uint32_t>(k);
+  }
 }
 
 template <int D>
@@ -56,8 +59,8 @@ std::array<int, D> CellGrid<D>::cell_of(const Vec<D>& position) const {
   std::array<int, D> cell{};
   for (int axis = 0; axis < D; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
-    const double place = std::floor((position[axis] - origin_[axis]) / size_[a]);
-    cell[a] = static_cast<int>(std::clamp(place, 0.0, static_cast<double>(count_[a] - 1)));
+    const double place = (position[axis] - origin_[axis]) * inverse_size_[a];
+    cell[a] = static_cast<int>(std::clamp(place, 0.0, static_cast<double>(count_[a] - 1)));  // rounded down
   }
   return cell;
 }

@@ -18,8 +18,14 @@ namespace repose {
 template <int D>
 class CellGrid {
  public:
-  /// Covers all positions with cells of at least `cell_size` [L]. Positions in a periodic box must be wrapped.
-  CellGrid(const std::vector<Vec<D>>& positions, const Box<D>& box, double cell_size);
+  CellGrid() = default;
+  CellGrid(const std::vector<Vec<D>>& positions, const Box<D>& box, double cell_size) {
+    build(positions, box, cell_size);
+  }
+
+  /// Covers all positions with cells of at least `cell_size` [L]. Positions in a periodic box must be wrapped. The
+  /// memory of the last grid is used again.
+  void build(const std::vector<Vec<D>>& positions, const Box<D>& box, double cell_size);
 
   /// Stable order by cell: entry k is the old index of the grain that becomes the k-th.
   const std::vector<std::uint32_t>& order() const { return order_; }
@@ -48,6 +54,17 @@ class CellGrid {
     return line;
   }
 
+  /// The lowest cell of a line.
+  std::array<int, D> foot_of(int line) const {
+    std::array<int, D> cell{};
+    for (int axis = D - 2; axis > 0; --axis) {
+      cell[static_cast<std::size_t>(axis)] = line % count(axis);
+      line /= count(axis);
+    }
+    cell[0] = line;
+    return cell;
+  }
+
  private:
   std::size_t index(const std::array<int, D>& cell) const {
     return static_cast<std::size_t>(line_of(cell)) * static_cast<std::size_t>(count(D - 1)) +
@@ -56,9 +73,11 @@ class CellGrid {
 
   Vec<D> origin_{};
   std::array<double, D> size_{};
+  std::array<double, D> inverse_size_{};
   std::array<int, D> count_{};
   std::vector<std::uint32_t> start_;  // first place of each cell, one more at the end
   std::vector<std::uint32_t> order_;
+  std::vector<std::uint32_t> cell_;  // of each position, while the grid is built
 };
 
 }  // namespace repose

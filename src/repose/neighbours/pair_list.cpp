@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/neighbours/pair_list.hpp"
 
-#include "repose/neighbours/cell_grid.hpp"
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -12,16 +11,30 @@ namespace repose {
 
 namespace {
 
+/// The largest radius of the grains that cells are made for: all but the largest ones, if those are few and at least
+/// twice as large as the others. A cell for the largest of a few would hold hundreds of the others.
 template <int D>
-double largest_radius(const Grains<D>& grains) {
-  double largest = 0.0;
-  for (const auto& grain : grains.line) largest = std::max(largest, grain.radius);
-  return largest;
+double usual_radius(const Grains<D>& grains, double smallest, double largest) {
+  if (smallest > 0.5 * largest) return largest;
+  const std::size_t few = grains.size() / 16;
+  for (double radius = largest;;) {
+    double next = 0.0;
+    std::size_t larger = 0;
+    for (const auto& grain : grains.line) {
+      if (grain.radius <= 0.5 * radius) {
+        next = std::max(next, grain.radius);
+      } else {
+        ++larger;
+      }
+    }
+    if (larger > few || next == 0.0) return radius;
+    radius = next;
+  }
 }
 
 /// A few lines of cells.
 struct Lines {
-  std::array<int, 9> line{};
+  std::array<int, 9> line;
   std::size_t count = 0;
   void add(int number) { line[count++] = number; }
   const int* begin() const { return line.data(); }
@@ -46,6 +59,53 @@ Lines later_lines(const CellGrid<D>& grid, const std::array<int, D>& cell, bool 
   return lines;
 }
 
+/// The places of the candidates for partners of a grain, ascending.
+template <int D>
+struct Candidates {
+  using Places = typename CellGrid<D>::Places;
+  std::array<Places, 10> range;
+  std::size_t ranges = 0;
+  std::size_t most = 0;
+
+  void add(const Places& places) {
+    if (places.begin >= places.end) return;
+    range[ranges++] = places;
+    most += places.end - places.begin;
+  }
+};
+
+/// Appends to `row` the candidates whose spots are near spot i. The loop has no branch, since whether a candidate is
+/// near cannot be predicted. Returns the new end of the row.
+template <bool Wraps, int D>
+std::uint32_t* append_near(const Spots<D>& spots, const Box<D>& box, std::uint32_t i, const Candidates<D>& candidates,
+                           std::uint32_t* row) {
+  std::array<const double*, D> at;
+  std::array<double, D> own;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    at[axis] = spots.at[axis].data();
+    own[axis] = at[axis][i];
+  }
+  const double* const range = spots.range.data();
+  const double own_range = range[i];
+  [[maybe_unused]] const double width = box.width();
+  for (std::size_t r = 0; r < candidates.ranges; ++r) {
+    for (auto j = candidates.range[r].begin; j < candidates.range[r].end; ++j) {
+      double distance2 = 0.0;
+      for (std::size_t axis = 0; axis < D; ++axis) {
+        double d = own[axis] - at[axis][j];
+        if constexpr (Wraps) {
+          if (axis == 0) d = d > 0.5 * width ? d - width : (d < -0.5 * width ? d + width : d);
+        }
+        distance2 += d * d;
+      }
+      const double within = own_range + range[j];
+      *row = j;
+      row += distance2 < within * within ? 1 : 0;
+    }
+  }
+  return row;
+}
+
 /// The index in the old list of the pair (i, j), given by indices in the old order; `none` if it was not listed.
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 std::uint32_t old_place(const std::vector<std::uint32_t>& row_start, const std::vector<std::uint32_t>& partner,
@@ -61,185 +121,168 @@ std::uint32_t old_place(const std::vector<std::uint32_t>& row_start, const std::
 
 }  // namespace
 
-/// Returns the largest extra allowance of a fast grain [L].
+/// Drops grains that have left the box, and puts the others into the order of the cells.
 template <int D>
-double PairList<D>::set_allowances(const Grains<D>& grains) {
-  const double half_skin = 0.5 * reach_.skin;
-  const double furthest = 4.0 * largest_radius(grains);
-  const double fall = 0.5 * reach_.gravity * reach_.horizon * reach_.horizon;
-  allowance_.assign(grains.size(), half_skin);
-  built_at_.resize(grains.size());
-  std::size_t fast = 0;
+void PairList<D>::sort_grains(Grains<D>& grains, const Box<D>& box) {
+  present_.clear();
+  positions_.clear();
+  double smallest = std::numeric_limits<double>::infinity();
   double largest = 0.0;
-  for (std::size_t k = 0; k < grains.size(); ++k) {
-    const auto& grain = grains.line[k];
-    built_at_[k] = grain.position;
-    const double travel = std::sqrt(dot(grain.velocity, grain.velocity)) * reach_.horizon + fall;
-    if (grain.fixed() || travel <= half_skin) continue;
-    ++fast;
-    allowance_[k] = half_skin + std::min(travel, furthest);
-    largest = std::max(largest, allowance_[k] - half_skin);
-  }
-  // If many grains are fast, a wider search for each costs more than building the list more often.
-  if (fast * 8 > grains.size() && fast > 32) {
-    allowance_.assign(grains.size(), half_skin);
-    return 0.0;
-  }
-  return largest;
-}
-
-template <int D>
-template <class Grid>
-void PairList<D>::list_row(const Grains<D>& grains, const Box<D>& box, const Grid& grid, std::uint32_t i,
-                           std::vector<std::uint32_t>& row) const {
-  const auto& line = grains.line[i];
-  const auto cell = grid.cell_of(line.position);
-  const auto list = [&](std::uint32_t begin, std::uint32_t end) {
-    for (auto j = begin; j < end; ++j) {
-      if (line.fixed() && grains.line[j].fixed()) continue;
-      const Vec<D> d = separation(line.position, grains.line[j].position, box);
-      const double within = listed_within(grains, i, j);
-      if (dot(d, d) < within * within) row.push_back(j);
-    }
-  };
-  list(i + 1, grid.places(grid.line_of(cell), cell[D - 1], cell[D - 1] + 1).end);
-  for (const int other : later_lines<D>(grid, cell, box.periodic)) {
-    const auto places = grid.places(other, cell[D - 1] - 1, cell[D - 1] + 1);
-    list(places.begin, places.end);
-  }
-}
-
-/// Pairs farther apart than the skin that the motion of a fast grain may bring together, ascending, each once.
-template <int D>
-template <class Grid>
-auto PairList<D>::pairs_of_fast_grains(const Grains<D>& grains, const Box<D>& box, const Grid& grid,
-                                       double furthest_travel) const -> std::vector<Extra> {
-  std::vector<Extra> extras;
-  const double half_skin = 0.5 * reach_.skin;
-  const double widest = 2.0 * reach_.cutoff * largest_radius(grains) + reach_.skin;
-  for (std::uint32_t i = 0; i < grains.size(); ++i) {
-    const double travel = allowance_[i] - half_skin;
-    if (travel <= 0.0) continue;
-    const double range = widest + travel + furthest_travel;
-    const auto centre = grid.cell_of(grains.line[i].position);
-    std::array<int, D> low{};
-    std::array<int, D> high{};
-    for (int axis = 0; axis < D; ++axis) {
-      const auto a = static_cast<std::size_t>(axis);
-      const int cells = static_cast<int>(std::ceil(range / grid.size(axis)));
-      const bool wraps = box.periodic && axis == 0;
-      low[a] = wraps ? centre[a] - cells : std::max(0, centre[a] - cells);
-      high[a] = wraps ? centre[a] + cells : std::min(grid.count(axis) - 1, centre[a] + cells);
-      if (wraps && high[a] - low[a] >= grid.count(axis)) {
-        low[a] = 0;
-        high[a] = grid.count(axis) - 1;
-      }
-    }
-    const auto search_line = [&](int line) {
-      const auto places = grid.places(line, low[D - 1], high[D - 1]);
-      for (auto j = places.begin; j < places.end; ++j) {
-        const double other = allowance_[j] - half_skin;
-        if (j == i || (other > 0.0 && j < i)) continue;
-        const Vec<D> d = separation(grains.line[i].position, grains.line[j].position, box);
-        const double near = listed_within(grains, i, j);
-        const double far_out = near + travel + other;
-        const double distance2 = dot(d, d);
-        if (distance2 >= near * near && distance2 < far_out * far_out) {
-          extras.push_back({std::min(i, j), std::max(i, j)});
-        }
-      }
-    };
-    for (int x = low[0]; x <= high[0]; ++x) {
-      const int column = ((x % grid.count(0)) + grid.count(0)) % grid.count(0);
-      if constexpr (D == 2) {
-        search_line(column);
-      } else {
-        for (int y = low[1]; y <= high[1]; ++y) search_line(column * grid.count(1) + y);
-      }
-    }
-  }
-  std::sort(extras.begin(), extras.end(),
-            [](const Extra& a, const Extra& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
-  return extras;
-}
-
-template <int D>
-std::vector<std::uint32_t> PairList<D>::build(Grains<D>& grains, const Box<D>& box, Team& team) {
-  std::vector<std::uint32_t> present;
-  std::vector<Vec<D>> positions;
-  present.reserve(grains.size());
-  positions.reserve(grains.size());
   for (std::uint32_t k = 0; k < grains.size(); ++k) {
     auto& grain = grains.line[k];
     if (!grain.fixed() && box.outside(grain.position)) continue;
     grain.position = box.wrapped(grain.position);
-    present.push_back(k);
-    positions.push_back(grain.position);
+    present_.push_back(k);
+    positions_.push_back(grain.position);
+    smallest = std::min(smallest, grain.radius);
+    largest = std::max(largest, grain.radius);
   }
-  const double cell_size = 2.0 * reach_.cutoff * largest_radius(grains) + reach_.skin;
-  const CellGrid<D> grid(positions, box, cell_size);
-  std::vector<std::uint32_t> order(present.size());
-  for (std::size_t k = 0; k < order.size(); ++k) order[k] = present[grid.order()[k]];
-  grains.reorder(order);
+  const double usual = usual_radius(grains, smallest, largest);
+  spots_.cell_range = reach_.cutoff * usual + 0.5 * reach_.skin;
+  grid_.build(positions_, box, 2.0 * spots_.cell_range);
+  order_.resize(present_.size());
+  for (std::size_t k = 0; k < order_.size(); ++k) order_[k] = present_[grid_.order()[k]];
+  spare_.take(grains, order_);
+  grains.swap(spare_);
+  note_spots(grains, 4.0 * usual);
+  any_large_ = largest > usual;
+}
 
-  const double furthest_travel = set_allowances(grains);
-  std::vector<Extra> extras;
-  if (furthest_travel > 0.0) extras = pairs_of_fast_grains(grains, box, grid, furthest_travel);
+/// Notes where the grains are, and how far each may move. `furthest` [L] is the longest extra allowance of a fast one.
+template <int D>
+void PairList<D>::note_spots(const Grains<D>& grains, double furthest) {
+  const double half_skin = 0.5 * reach_.skin;
+  const double fall = 0.5 * reach_.gravity * reach_.horizon * reach_.horizon;
+  spots_.resize(grains.size());
+  built_at_.resize(grains.size());
+  allowance_.resize(grains.size());
+  std::size_t fast = 0;
+  for (std::size_t k = 0; k < grains.size(); ++k) {
+    const auto& grain = grains.line[k];
+    built_at_[k] = grain.position;
+    for (int axis = 0; axis < D; ++axis) spots_.at[static_cast<std::size_t>(axis)][k] = grain.position[axis];
+    spots_.range[k] = reach_.cutoff * grain.radius + half_skin;
+    spots_.fixed[k] = grain.fixed() ? 1 : 0;
+    const double travel = std::sqrt(dot(grain.velocity, grain.velocity)) * reach_.horizon + fall;
+    const bool is_fast = !grain.fixed() && travel > half_skin;
+    allowance_[k] = is_fast ? half_skin + std::min(travel, furthest) : half_skin;
+    fast += is_fast ? 1 : 0;
+  }
+  // If many grains are fast, a wider search for each costs more than building the list more often.
+  any_fast_ = fast > 0 && !(fast * 8 > grains.size() && fast > 32);
+  if (!any_fast_ && fast > 0) std::fill(allowance_.begin(), allowance_.end(), half_skin);
+}
 
-  const std::vector<std::uint32_t> old_start = std::move(row_start);
-  const std::vector<std::uint32_t> old_partner = std::move(partner);
-  const std::vector<Tangent<D>> old_slip = std::move(slip);
-  const std::vector<Tangent<D>> old_roll = std::move(roll);
-  const std::vector<std::uint8_t> old_bonded = std::move(bonded);
-  row_start.assign(grains.size() + 1, 0);
-  const auto members = static_cast<std::size_t>(team.size());
-  std::vector<std::vector<std::uint32_t>> parts(members);
-  team.run([&](int member) {
-    const Range rows = range_of(grains.size(), member, team.size());
-    auto& row = parts[static_cast<std::size_t>(member)];
-    row.reserve((rows.end - rows.begin) * 4);
-    const auto by_low = [](const Extra& e, std::uint32_t i) { return e.low < i; };
-    auto extra = std::lower_bound(extras.begin(), extras.end(), static_cast<std::uint32_t>(rows.begin), by_low);
-    for (auto i = static_cast<std::uint32_t>(rows.begin); i < rows.end; ++i) {
-      const auto before = static_cast<std::ptrdiff_t>(row.size());
-      list_row(grains, box, grid, i, row);
-      if (extra != extras.end() && extra->low == i) {
-        for (; extra != extras.end() && extra->low == i; ++extra) row.push_back(extra->high);
-        std::sort(row.begin() + before, row.end());
+/// Lists the partners of some rows in `part`, and their numbers in row_start. Grains of a cell have the same
+/// candidates.
+template <int D>
+void PairList<D>::list_rows(const Grains<D>& grains, const Box<D>& box, const Range& rows, Part& part) {
+  const auto& wide = wide_.pairs();
+  auto extra = std::lower_bound(wide.begin(), wide.end(), rows.begin,
+                                [](const auto& pair, std::size_t row) { return pair.low < row; });
+  part.pairs = 0;
+  if (rows.begin == rows.end) return;
+  const auto first_cell = grid_.cell_of(grains.line[rows.begin].position);
+  auto i = static_cast<std::uint32_t>(rows.begin);
+  int height = first_cell[D - 1];
+  for (int line = grid_.line_of(first_cell); i < rows.end; ++line, height = 0) {
+    const auto foot = grid_.foot_of(line);
+    const auto later = later_lines<D>(grid_, foot, box.periodic);
+    const bool wraps = box.periodic && (foot[0] == 0 || foot[0] + 1 >= grid_.count(0) || grid_.count(0) < 4);
+    for (; height < grid_.count(D - 1) && i < rows.end; ++height) {
+      const auto cell_end = std::min<std::size_t>(grid_.places(line, height, height).end, rows.end);
+      if (i == cell_end) continue;
+      Candidates<D> candidates;
+      candidates.add({i, grid_.places(line, height, height + 1).end});
+      for (const int other : later) candidates.add(grid_.places(other, height - 1, height + 1));
+      for (; i < cell_end; ++i) {
+        const std::size_t before = part.pairs;
+        candidates.range[0].begin = i + 1;
+        if (!spots_.large(i)) {
+          part.make_room(before + candidates.most);
+          auto* const begin = part.partner.data() + before;
+          auto* end = wraps ? append_near<true>(spots_, box, i, candidates, begin)
+                            : append_near<false>(spots_, box, i, candidates, begin);
+          const auto unwanted = [&](std::uint32_t j) { return spots_.large(j) || spots_.both_fixed(i, j); };
+          if (spots_.fixed[i] != 0 || any_large_) end = std::remove_if(begin, end, unwanted);
+          part.pairs = before + static_cast<std::size_t>(end - begin);
+        }
+        if (extra != wide.end() && extra->low == i) {
+          for (; extra != wide.end() && extra->low == i; ++extra) {
+            part.make_room(part.pairs + 1);
+            part.partner[part.pairs++] = extra->high;
+          }
+          std::sort(part.partner.data() + before, part.partner.data() + part.pairs);
+        }
+        row_start[i + 1] = static_cast<std::uint32_t>(part.pairs - before);
       }
-      row_start[i + 1] = static_cast<std::uint32_t>(static_cast<std::ptrdiff_t>(row.size()) - before);
     }
+  }
+}
+
+/// Gives the pairs of some rows the displacements that they had in the old list.
+template <int D>
+void PairList<D>::keep_displacements(const Range& rows, Part& part) {
+  part.bandwidth = 0;
+  part.any_far = false;
+  for (auto i = static_cast<std::uint32_t>(rows.begin); i < rows.end; ++i) {
+    for (auto k = row_start[i]; k < row_start[i + 1]; ++k) {
+      const auto j = partner[k];
+      const auto was = old_place(old_.row_start, old_.partner, order_[i], order_[j]);
+      const bool turned_round = order_[i] > order_[j];
+      slip[k] = was == none ? Tangent<D>{} : (turned_round ? swapped(old_.slip[was]) : old_.slip[was]);
+      if (reach_.rolling) roll[k] = was == none ? Tangent<D>{} : (turned_round ? -old_.roll[was] : old_.roll[was]);
+      if (reach_.bonds) bonded[k] = was == none ? std::uint8_t{0} : old_.bonded[was];
+      if (j - i <= far) {
+        part.bandwidth = std::max(part.bandwidth, j - i);
+      } else {
+        part.any_far = true;
+      }
+    }
+  }
+}
+
+template <int D>
+const std::vector<std::uint32_t>& PairList<D>::build(Grains<D>& grains, const Box<D>& box, Team& team) {
+  sort_grains(grains, box);
+  wide_.clear();
+  if (any_fast_ || any_large_) wide_.find(spots_, allowance_, 0.5 * reach_.skin, grid_, box);
+
+  old_.row_start.swap(row_start);
+  old_.partner.swap(partner);
+  old_.slip.swap(slip);
+  old_.roll.swap(roll);
+  old_.bonded.swap(bonded);
+  row_start.resize(grains.size() + 1);
+  row_start[0] = 0;
+  parts_.resize(static_cast<std::size_t>(team.size()));
+  team.run([&](int member) {
+    list_rows(grains, box, range_of(grains.size(), member, team.size()), parts_[static_cast<std::size_t>(member)]);
   });
   for (std::size_t i = 0; i < grains.size(); ++i) row_start[i + 1] += row_start[i];
-  partner.resize(row_start.back());
-  slip.resize(row_start.back());
-  if (reach_.rolling) roll.resize(row_start.back());
-  if (reach_.bonds) bonded.resize(row_start.back());
-  std::vector<std::uint32_t> widest(members, 0);
+  const std::size_t pairs = row_start.back();
+  partner.resize(pairs);
+  slip.resize(pairs);
+  if (reach_.rolling) roll.resize(pairs);
+  if (reach_.bonds) bonded.resize(pairs);
   team.run([&](int member) {
     const Range rows = range_of(grains.size(), member, team.size());
-    const auto& part = parts[static_cast<std::size_t>(member)];
-    std::copy(part.begin(), part.end(), partner.begin() + row_start[rows.begin]);
-    std::uint32_t band = 0;
-    for (auto i = static_cast<std::uint32_t>(rows.begin); i < rows.end; ++i) {
-      for (auto k = row_start[i]; k < row_start[i + 1]; ++k) {
-        const auto was = old_place(old_start, old_partner, order[i], order[partner[k]]);
-        const bool turned_round = order[i] > order[partner[k]];
-        slip[k] = was == none ? Tangent<D>{} : (turned_round ? swapped(old_slip[was]) : old_slip[was]);
-        if (reach_.rolling) roll[k] = was == none ? Tangent<D>{} : (turned_round ? -old_roll[was] : old_roll[was]);
-        if (reach_.bonds) bonded[k] = was == none ? std::uint8_t{0} : old_bonded[was];
-        if (partner[k] - i <= far) band = std::max(band, partner[k] - i);
-      }
-    }
-    widest[static_cast<std::size_t>(member)] = band;
+    auto& part = parts_[static_cast<std::size_t>(member)];
+    std::copy_n(part.partner.begin(), part.pairs, partner.begin() + row_start[rows.begin]);
+    keep_displacements(rows, part);
   });
-  bandwidth = *std::max_element(widest.begin(), widest.end());
+  bandwidth = 0;
+  any_far = false;
+  for (const auto& part : parts_) {
+    bandwidth = std::max(bandwidth, part.bandwidth);
+    any_far |= part.any_far;
+  }
 
   valid_ = true;
   travelled_ = 0.0;
   slack_ = 0.5 * reach_.skin;
   ++builds_;
-  return order;
+  return order_;
 }
 
 template <int D>

@@ -6,6 +6,9 @@
 #include "repose/core/box.hpp"
 #include "repose/core/grains.hpp"
 #include "repose/core/team.hpp"
+#include "repose/neighbours/cell_grid.hpp"
+#include "repose/neighbours/spots.hpp"
+#include "repose/neighbours/wide_pairs.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -34,8 +37,8 @@ class PairList {
 
   /// Sorts the grains by position, drops those that have left the box and lists the pairs. Pairs that were listed
   /// before keep their displacements. Grains added since the last build must be at the end of the arrays. Returns the
-  /// old index of each grain, in the new order.
-  std::vector<std::uint32_t> build(Grains<D>& grains, const Box<D>& box, Team& team);
+  /// old index of each grain, in the new order. All arrays of the list before are used again.
+  const std::vector<std::uint32_t>& build(Grains<D>& grains, const Box<D>& box, Team& team);
 
   /// Call this when grains were added: the list is then stale.
   void invalidate() { valid_ = false; }
@@ -63,6 +66,7 @@ class PairList {
     archive.value("pairs/slack", slack_);
     archive.value("pairs/builds", builds_);
     archive.value("pairs/bandwidth", bandwidth);
+    archive.value("pairs/any_far", any_far);
     archive.array("pairs/built_at", built_at_);
     archive.array("pairs/allowance", allowance_);
     archive.array("pairs/row_start", row_start);
@@ -85,6 +89,7 @@ class PairList {
   /// A pair whose indices differ by more than this is a far pair; `bandwidth` is the largest difference in the others.
   static constexpr std::uint32_t far = 1U << 15;
   std::uint32_t bandwidth = 0;
+  bool any_far = false;  ///< whether the list has far pairs
 
   std::vector<std::uint32_t> row_start;  ///< (n + 1) first pair of each grain
   std::vector<std::uint32_t> partner;    ///< (pairs) index of j
@@ -93,20 +98,30 @@ class PairList {
   std::vector<std::uint8_t> bonded;      ///< (pairs) 1: bonded; empty unless `PairReach::bonds`
 
  private:
-  struct Extra {
-    std::uint32_t low;
-    std::uint32_t high;
+  /// What is kept of a pair from one list to the next.
+  struct Kept {
+    std::vector<std::uint32_t> row_start;
+    std::vector<std::uint32_t> partner;
+    std::vector<Tangent<D>> slip;
+    std::vector<Tangent<D>> roll;
+    std::vector<std::uint8_t> bonded;
   };
-  double listed_within(const Grains<D>& grains, std::uint32_t i, std::uint32_t j) const {
-    return reach_.cutoff * (grains.line[i].radius + grains.line[j].radius) + reach_.skin;
-  }
-  double set_allowances(const Grains<D>& grains);
-  template <class Grid>
-  std::vector<Extra> pairs_of_fast_grains(const Grains<D>& grains, const Box<D>& box, const Grid& grid,
-                                          double furthest_travel) const;
-  template <class Grid>
-  void list_row(const Grains<D>& grains, const Box<D>& box, const Grid& grid, std::uint32_t i,
-                std::vector<std::uint32_t>& row) const;
+  /// The rows that one member lists.
+  struct Part {
+    std::vector<std::uint32_t> partner;  // of these rows, then room for more
+    std::size_t pairs = 0;
+    std::uint32_t bandwidth = 0;
+    bool any_far = false;
+
+    void make_room(std::size_t count) {
+      if (partner.size() < count) partner.resize(2 * count);
+    }
+  };
+
+  void sort_grains(Grains<D>& grains, const Box<D>& box);
+  void note_spots(const Grains<D>& grains, double furthest);
+  void list_rows(const Grains<D>& grains, const Box<D>& box, const Range& rows, Part& part);
+  void keep_displacements(const Range& rows, Part& part);
 
   PairReach reach_;
   bool valid_ = false;
@@ -115,6 +130,19 @@ class PairList {
   long builds_ = 0;
   std::vector<Vec<D>> built_at_;   // [L] positions at the last build
   std::vector<double> allowance_;  // [L] allowed displacement of each grain from there
+
+  // Working memory.
+  Spots<D> spots_;
+  bool any_large_ = false;
+  bool any_fast_ = false;
+  WidePairs<D> wide_;
+  CellGrid<D> grid_;
+  std::vector<Vec<D>> positions_;
+  std::vector<std::uint32_t> present_;
+  std::vector<std::uint32_t> order_;
+  Grains<D> spare_;
+  Kept old_;
+  std::vector<Part> parts_;
 };
 
 }  // namespace repose

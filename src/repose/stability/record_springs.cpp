@@ -38,7 +38,7 @@ Touch<double> touch_of(const Record& record, const Contact<2>& contact, double r
   const auto& second = place ? record.grains->line[*place] : first;  // a wall counts as a grain of the same size
   const double diameter = first.radius + second.radius;
   const double distance = diameter - contact.overlap;
-  const double mass = 2.0 * first.mass * second.mass / (first.mass + second.mass);
+  const double mass = 2.0 / (1.0 / first.mass + 1.0 / second.mass);
   auto touch = make_touch(distance, 1.0 / distance, diameter, reach * diameter, 0.0, mass);
   touch.effective_radius = place ? first.radius * second.radius / diameter : first.radius;
   return touch;

@@ -23,8 +23,9 @@ inline void parameters(ConstantCohesion& law, Parameters& to, const LawScales&) 
   to.number("force", law.force, required, not_negative, "M L/T^2", "attraction between touching grains");
 }
 
-REPOSE_FN double attraction(const ConstantCohesion& law, const Touch<double>& touch) {
-  return choose(touch.overlap > 0.0, law.force, 0.0);
+template <class T>
+REPOSE_FN T attraction(const ConstantCohesion& law, const Touch<T>& touch) {
+  return choose(touch.overlap > T(0.0), T(law.force), T(0.0));
 }
 
 inline double cohesion_energy(const ConstantCohesion& law, const Touch<double>& touch) {

@@ -19,7 +19,10 @@ struct NoCohesion {
 inline void parameters(NoCohesion&, Parameters&, const LawScales&) {}
 
 /// Attraction [M L/T^2] between touching grains, >= 0.
-REPOSE_FN double attraction(const NoCohesion&, const Touch<double>&) { return 0.0; }
+template <class T>
+REPOSE_FN T attraction(const NoCohesion&, const Touch<T>&) {
+  return T(0.0);
+}
 
 /// Potential energy [M L^2/T^2] of the attraction, <= 0.
 inline double cohesion_energy(const NoCohesion&, const Touch<double>&) { return 0.0; }
@@ -27,8 +30,8 @@ inline double cohesion_energy(const NoCohesion&, const Touch<double>&) { return 
 // A law whose attraction depends on the past of the contact has functions of its own instead of these: `bonded` is what
 // a contact keeps of it.
 
-template <class Law>
-REPOSE_FN double attraction(const Law& law, const Touch<double>& touch, bool& /*bonded*/) {
+template <class Law, class T>
+REPOSE_FN T attraction(const Law& law, const Touch<T>& touch, bool& /*bonded*/) {
   return attraction(law, touch);
 }
 

@@ -13,8 +13,9 @@
 namespace repose {
 
 /// x^n for a whole number n >= 0 by repeated squaring: the same bits on every machine, unlike std::pow.
-REPOSE_FN double whole_power(double x, unsigned n) {
-  double result = 1.0;
+template <class T>
+REPOSE_FN T whole_power(T x, unsigned n) {
+  T result = 1.0;
   for (; n != 0; n >>= 1) {
     if ((n & 1U) != 0) result *= x;
     x *= x;
@@ -62,14 +63,21 @@ inline void parameters(Continuous& law, Parameters& to, const LawScales& scales)
 /// The distance, in mean diameters, below which the law acts.
 REPOSE_FN double reach(const Continuous& law) { return law.cutoff; }
 
-REPOSE_FN NormalForce<double> normal_force(const Continuous& law, const Touch<double>& touch) {
-  const double x = touch.diameter * touch.inverse_distance;
-  const double power =
-      law.whole_exponent != 0 ? whole_power(x, law.whole_exponent) : reproducible::pow(x, law.exponent + 1.0);
-  const double elastic = touch.mass * law.gravity * power;
-  const double stiffness = (law.exponent + 1.0) * elastic * touch.inverse_distance;
-  return {elastic, without_attraction(law.attraction, elastic + dashpot(law, touch, stiffness) * touch.closing_speed),
-          stiffness};
+/// x^(n+1). For a pack of numbers n must be whole.
+REPOSE_FN double power(const Continuous& law, double x) {
+  return law.whole_exponent != 0 ? whole_power(x, law.whole_exponent) : reproducible::pow(x, law.exponent + 1.0);
+}
+template <class T>
+REPOSE_FN T power(const Continuous& law, const T& x) {
+  return whole_power(x, law.whole_exponent);
+}
+
+template <class T>
+REPOSE_FN NormalForce<T> normal_force(const Continuous& law, const Touch<T>& touch) {
+  const T elastic = touch.mass * law.gravity * power(law, touch.diameter * touch.inverse_distance);
+  const T stiffness = (law.exponent + 1.0) * elastic * touch.inverse_distance;
+  const T viscous = dashpot(law, touch, root(stiffness)) * touch.closing_speed;
+  return {elastic, without_attraction(law.attraction, elastic + viscous), stiffness};
 }
 
 /// Energy [M L^2/T^2] stored in a pair with mean diameter `diameter` at `distance`; 0 at the cutoff.

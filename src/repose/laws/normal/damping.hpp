@@ -7,6 +7,7 @@
 #include "repose/laws/touch.hpp"
 
 #include <cmath>
+#include <type_traits>
 
 namespace repose {
 
@@ -17,21 +18,16 @@ enum class DampingKind {
   viscosity     ///< C = d m_red. Source: Bratberg (2003), eq. (57)
 };
 
-/// The coefficient C [M/T] of the kinds that use the true reduced mass. A separate function, so that the usual kind
-/// pays nothing for them.
-[[gnu::noinline, gnu::cold]] inline double dashpot_of_pair(DampingKind kind, double damping, double reduced_mass,
-                                                           double stiffness) {
-  if (kind == DampingKind::viscosity) return damping * reduced_mass;
-  return 2.0 * damping * std::sqrt(reduced_mass * stiffness);
-}
-
-/// The coefficient C [M/T] for a stiffness k [M/T^2]. law.damping is z or d, depending on law.damping_kind.
-template <class Law>
-REPOSE_FN double dashpot(const Law& law, const Touch<double>& touch, double stiffness) {
+/// The coefficient C [M/T] for a stiffness whose root is given [M^(1/2)/T]. law.damping is z or d, depending on
+/// law.damping_kind, which is the same for all pairs of a law. With the roots of mass and stiffness apart, that of a
+/// constant stiffness is taken once.
+template <class Law, class T>
+REPOSE_FN T dashpot(const Law& law, const Touch<T>& touch, const std::type_identity_t<T>& root_of_stiffness) {
   if (law.damping_kind == DampingKind::of_critical) [[likely]] {
-    return 2.0 * law.damping * std::sqrt(touch.mass * stiffness);
+    return (2.0 * law.damping) * root_of_stiffness * root(touch.mass);
   }
-  return dashpot_of_pair(law.damping_kind, law.damping, touch.reduced_mass, stiffness);
+  if (law.damping_kind == DampingKind::viscosity) return law.damping * touch.reduced_mass();
+  return (2.0 * law.damping) * root_of_stiffness * root(touch.reduced_mass());
 }
 
 /// The parameters of the dashpot. If a restitution is given, `with_restitution` (impact.hpp) sets law.damping later.

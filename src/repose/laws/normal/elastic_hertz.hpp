@@ -36,15 +36,20 @@ template <class Law>
 REPOSE_FN Law at_radius(const Law& law, double /*effective_radius*/) {
   return law;
 }
+/// k of F = k overlap^(3/2).
+template <class T>
+REPOSE_FN T hertz_stiffness(const ElasticHertz& law, const T& effective_radius) {
+  return (4.0 / 3.0) * law.modulus * root(effective_radius);
+}
 REPOSE_FN Hertz at_radius(const ElasticHertz& law, double effective_radius) {
-  return {(4.0 / 3.0) * law.modulus * std::sqrt(effective_radius), law.damping, law.attraction, law.damping_kind,
-          law.restitution};
+  return {hertz_stiffness(law, effective_radius), law.damping, law.attraction, law.damping_kind, law.restitution};
 }
 
 REPOSE_FN double reach(const ElasticHertz&) { return 1.0; }
 
-REPOSE_FN NormalForce<double> normal_force(const ElasticHertz& law, const Touch<double>& touch) {
-  return normal_force(at_radius(law, touch.effective_radius), touch);
+template <class T>
+REPOSE_FN NormalForce<T> normal_force(const ElasticHertz& law, const Touch<T>& touch) {
+  return hertz_force(law, hertz_stiffness(law, touch.effective_radius), touch);
 }
 
 // For two grains of one size, whose effective radius is a quarter of the diameter.

@@ -35,12 +35,18 @@ inline void parameters(Hertz& law, Parameters& to, const LawScales& scales) {
 
 REPOSE_FN double reach(const Hertz&) { return 1.0; }
 
-REPOSE_FN NormalForce<double> normal_force(const Hertz& law, const Touch<double>& touch) {
-  const double root = std::sqrt(positive_part(touch.overlap));
-  const double elastic = law.stiffness * touch.overlap * root;
-  const double stiffness = 1.5 * law.stiffness * root;
-  return {elastic, without_attraction(law.attraction, elastic + dashpot(law, touch, stiffness) * touch.closing_speed),
-          stiffness};
+/// For a law whose stiffness k may differ from pair to pair.
+template <class Law, class T>
+REPOSE_FN NormalForce<T> hertz_force(const Law& law, const T& k, const Touch<T>& touch) {
+  const T width = root(positive_part(touch.overlap));
+  const T elastic = k * touch.overlap * width;
+  const T stiffness = 1.5 * k * width;
+  const T viscous = dashpot(law, touch, root(stiffness)) * touch.closing_speed;
+  return {elastic, without_attraction(law.attraction, elastic + viscous), stiffness};
+}
+template <class T>
+REPOSE_FN NormalForce<T> normal_force(const Hertz& law, const Touch<T>& touch) {
+  return hertz_force(law, T(law.stiffness), touch);
 }
 
 /// Energy [M L^2/T^2] stored in a pair with mean diameter `diameter` at `distance`.

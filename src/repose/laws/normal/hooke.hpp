@@ -32,11 +32,11 @@ inline void parameters(Hooke& law, Parameters& to, const LawScales& scales) {
 
 REPOSE_FN double reach(const Hooke&) { return 1.0; }
 
-REPOSE_FN NormalForce<double> normal_force(const Hooke& law, const Touch<double>& touch) {
-  const double elastic = law.stiffness * touch.overlap;
-  return {elastic,
-          without_attraction(law.attraction, elastic + dashpot(law, touch, law.stiffness) * touch.closing_speed),
-          law.stiffness};
+template <class T>
+REPOSE_FN NormalForce<T> normal_force(const Hooke& law, const Touch<T>& touch) {
+  const T elastic = law.stiffness * touch.overlap;
+  const T viscous = dashpot(law, touch, root(law.stiffness)) * touch.closing_speed;
+  return {elastic, without_attraction(law.attraction, elastic + viscous), T(law.stiffness)};
 }
 
 /// Energy [M L^2/T^2] stored in a pair with mean diameter `diameter` at `distance`.

@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <string_view>
+#include <type_traits>
 
 namespace repose {
 
@@ -34,15 +35,15 @@ inline void parameters(RollingConstant& law, Parameters& to, const LawScales& sc
 /// None: the slope of the torque is that of a dashpot, which the step of a dense bed takes into account.
 inline double surface_stiffness(const RollingConstant&, double, double) { return 0.0; }
 
-template <class Tangential>
-REPOSE_FN Tangential rolling_force(const RollingConstant& law, const Touch<double>&, const NormalForce<double>& normal,
-                                   const Tangential& roll_velocity, double, Tangential&) {
-  const double limit = law.friction * positive_part(normal.total);
+template <class T, class Tangential>
+REPOSE_FN Tangential rolling_force(const RollingConstant& law, const Touch<T>&, const NormalForce<T>& normal,
+                                   const Tangential& roll_velocity, const std::type_identity_t<T>&, Tangential&) {
+  const T limit = law.friction * positive_part(normal.total);
   return limited(roll_velocity * (-limit / law.full_at), limit);
 }
 
-template <class Tangential>
-REPOSE_FN Tangential displaced(const RollingConstant&, const Touch<double>&, const Tangential&, double,
+template <class T, class Tangential>
+REPOSE_FN Tangential displaced(const RollingConstant&, const Touch<T>&, const Tangential&, double,
                                const Tangential& unmoved) {
   return unmoved;
 }

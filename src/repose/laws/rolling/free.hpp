@@ -9,6 +9,7 @@
 #include "repose/laws/touch.hpp"
 
 #include <string_view>
+#include <type_traits>
 
 namespace repose {
 
@@ -21,14 +22,14 @@ inline void parameters(FreeRolling&, Parameters&, const LawScales&) {}
 
 inline double surface_stiffness(const FreeRolling&, double, double) { return 0.0; }
 
-template <class Tangential>
-REPOSE_FN Tangential rolling_force(const FreeRolling&, const Touch<double>&, const NormalForce<double>&,
-                                   const Tangential&, double, Tangential&) {
+template <class T, class Tangential>
+REPOSE_FN Tangential rolling_force(const FreeRolling&, const Touch<T>&, const NormalForce<T>&, const Tangential&,
+                                   const std::type_identity_t<T>&, Tangential&) {
   return Tangential{};
 }
 
-template <class Tangential>
-REPOSE_FN Tangential displaced(const FreeRolling&, const Touch<double>&, const Tangential&, double,
+template <class T, class Tangential>
+REPOSE_FN Tangential displaced(const FreeRolling&, const Touch<T>&, const Tangential&, double,
                                const Tangential& unmoved) {
   return unmoved;
 }

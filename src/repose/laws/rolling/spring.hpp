@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <string_view>
+#include <type_traits>
 
 namespace repose {
 
@@ -39,12 +40,13 @@ inline double surface_stiffness(const RollingSpring& law, double, double) { retu
 
 /// The torque divided by the roll radius [M L/T^2]. Advances the rolling displacement `roll` [L] by dt at the roll
 /// velocity [L/T].
-template <class Tangential>
-REPOSE_FN Tangential rolling_force(const RollingSpring& law, const Touch<double>& touch,
-                                   const NormalForce<double>& normal, const Tangential& roll_velocity, double dt,
+template <class T, class Tangential>
+REPOSE_FN Tangential rolling_force(const RollingSpring& law, const Touch<T>& touch, const NormalForce<T>& normal,
+                                   const Tangential& roll_velocity, const std::type_identity_t<T>& dt,
                                    Tangential& roll) {
-  const double dashpot = 2.0 * law.damping * std::sqrt(0.5 * law.stiffness * touch.mass);
-  return slider_force(law.stiffness, dashpot, law.friction * positive_part(normal.total), roll_velocity, dt, roll);
+  const T dashpot = (2.0 * law.damping * root(0.5 * law.stiffness)) * root(touch.mass);
+  return slider_force(T(law.stiffness), T(1.0 / law.stiffness), dashpot, law.friction * positive_part(normal.total),
+                      roll_velocity, dt, roll);
 }
 
 template <class Tangential>

@@ -34,15 +34,14 @@ inline double surface_stiffness(const RollingViscous& law, double /*normal_stiff
   return mass * 4.0 * law.rate * law.rate;
 }
 
-template <class Tangential>
-REPOSE_FN Tangential rolling_force(const RollingViscous& law, const Touch<double>& touch,
-                                   const NormalForce<double>& normal, const Tangential& roll_velocity, double,
-                                   Tangential&) {
-  return limited(roll_velocity * (-law.rate * touch.reduced_mass), law.friction * positive_part(normal.total));
+template <class T, class Tangential>
+REPOSE_FN Tangential rolling_force(const RollingViscous& law, const Touch<T>& touch, const NormalForce<T>& normal,
+                                   const Tangential& roll_velocity, double, Tangential&) {
+  return limited(roll_velocity * (-law.rate * touch.reduced_mass()), law.friction * positive_part(normal.total));
 }
 
-template <class Tangential>
-REPOSE_FN Tangential displaced(const RollingViscous&, const Touch<double>&, const Tangential&, double,
+template <class T, class Tangential>
+REPOSE_FN Tangential displaced(const RollingViscous&, const Touch<T>&, const Tangential&, double,
                                const Tangential& unmoved) {
   return unmoved;
 }

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <string_view>
+#include <type_traits>
 
 namespace repose {
 
@@ -41,24 +42,25 @@ inline double surface_stiffness(const Cumulative&, double, double) { return 0.0;
 
 /// The tangential force [M L/T^2]. Advances the slip displacement `slip` [L] by one step at the slip velocity [L/T].
 /// `normal` is the normal force at the same time.
-template <class Tangential>
-REPOSE_FN Tangential tangential_force(const Cumulative& law, const Touch<double>& touch,
-                                      const NormalForce<double>& normal, const Tangential& slip_velocity, double dt,
+template <class T, class Tangential>
+REPOSE_FN Tangential tangential_force(const Cumulative& law, const Touch<T>& touch, const NormalForce<T>& normal,
+                                      const Tangential& slip_velocity, const std::type_identity_t<T>& dt,
                                       Tangential& slip) {
-  const double furthest = law.alpha * law.friction * touch.engagement;
-  slip = limited(slip + slip_velocity * dt, furthest);
-  if (!(furthest > 0.0)) return Tangential{};
-  const double limit = law.friction * normal.elastic;
-  const double inverse = 1.0 / furthest;
-  const double rest = positive_part(1.0 - magnitude(slip) * inverse);
-  const double root = std::sqrt(rest);
-  const double stiffness = 1.5 * limit * inverse * root;
-  const double dashpot = std::sqrt(touch.mass * stiffness);
-  return limited(direction(slip) * (-limit * (1.0 - rest * root)) - slip_velocity * dashpot, limit);
+  const T furthest = (law.alpha * law.friction) * touch.engagement;
+  slip = limited(Tangential(slip + slip_velocity * dt), furthest);
+  const T limit = law.friction * normal.elastic;
+  const T inverse = T(1.0) / furthest;
+  const T rest = positive_part(1.0 - magnitude(slip) * inverse);
+  const T root_of_rest = root(rest);
+  const T stiffness = 1.5 * limit * inverse * root_of_rest;
+  const T dashpot = root(touch.mass * stiffness);
+  const Tangential elastic = direction(slip) * (-limit * (1.0 - rest * root_of_rest));
+  return choose(furthest > T(0.0), limited(Tangential(elastic - slip_velocity * dashpot), limit), Tangential{});
 }
 
 /// The largest tangential force that the law allows [M L/T^2].
-REPOSE_FN double coulomb_limit(const Cumulative& law, const NormalForce<double>& normal) {
+template <class T>
+REPOSE_FN T coulomb_limit(const Cumulative& law, const NormalForce<T>& normal) {
   return law.friction * normal.elastic;
 }
 

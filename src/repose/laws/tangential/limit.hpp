@@ -5,31 +5,34 @@
 #include "repose/core/vec.hpp"
 #include "repose/laws/touch.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace repose {
 
 /// The limit [M L/T^2] of friction at this slip [L/T], of laws whose friction does not depend on it.
-template <class Law, class Tangential>
-REPOSE_FN double coulomb_limit(const Law& law, const NormalForce<double>& normal, const Tangential& /*slip_velocity*/) {
+template <class Law, class T, class Tangential>
+REPOSE_FN auto coulomb_limit(const Law& law, const NormalForce<T>& normal, const Tangential& /*slip_velocity*/) {
   return coulomb_limit(law, normal);
 }
 
 /// The tangent a, shortened to a length of at most `longest` >= 0.
-REPOSE_FN double limited(double a, double longest) { return std::copysign(std::min(std::fabs(a), longest), a); }
-template <int D>
-REPOSE_FN Vec<D> limited(const Vec<D>& a, double longest) {
-  const double length = magnitude(a);
-  return length > longest ? a * (longest / length) : a;
+template <class T>
+REPOSE_FN T limited(const T& a, const T& longest) {
+  return with_sign_of(smaller(magnitude(a), longest), a);
+}
+template <int D, class T>
+REPOSE_FN Vec<D, T> limited(const Vec<D, T>& a, const T& longest) {
+  const T length = magnitude(a);
+  return a * choose(length > longest, longest / length, T(1.0));
 }
 
 /// The unit tangent along a. If a is zero, it is zero in 3D and +-1 in 2D.
-REPOSE_FN double direction(double a) { return std::copysign(1.0, a); }
-template <int D>
-REPOSE_FN Vec<D> direction(const Vec<D>& a) {
-  const double length = magnitude(a);
-  return length > 0.0 ? a * (1.0 / length) : Vec<D>{};
+template <class T>
+REPOSE_FN T direction(const T& a) {
+  return with_sign_of(T(1.0), a);
+}
+template <int D, class T>
+REPOSE_FN Vec<D, T> direction(const Vec<D, T>& a) {
+  const T length = magnitude(a);
+  return a * choose(length > T(0.0), T(1.0) / length, T(0.0));
 }
 
 }  // namespace repose

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <string_view>
+#include <type_traits>
 
 namespace repose {
 
@@ -36,14 +37,17 @@ inline double surface_stiffness(const Linear& law, double /*normal_stiffness*/, 
   return 3.0 * law.stiffness;
 }
 
-template <class Tangential>
-REPOSE_FN Tangential tangential_force(const Linear& law, const Touch<double>& touch, const NormalForce<double>& normal,
-                                      const Tangential& slip_velocity, double dt, Tangential& slip) {
-  const double dashpot = 2.0 * law.damping * std::sqrt(law.stiffness) * std::sqrt(touch.mass);
-  return slider_force(law.stiffness, dashpot, law.friction * positive_part(normal.total), slip_velocity, dt, slip);
+template <class T, class Tangential>
+REPOSE_FN Tangential tangential_force(const Linear& law, const Touch<T>& touch, const NormalForce<T>& normal,
+                                      const Tangential& slip_velocity, const std::type_identity_t<T>& dt,
+                                      Tangential& slip) {
+  const T dashpot = (2.0 * law.damping * root(law.stiffness)) * root(touch.mass);
+  return slider_force(T(law.stiffness), T(1.0 / law.stiffness), dashpot, law.friction * positive_part(normal.total),
+                      slip_velocity, dt, slip);
 }
 
-REPOSE_FN double coulomb_limit(const Linear& law, const NormalForce<double>& normal) {
+template <class T>
+REPOSE_FN T coulomb_limit(const Linear& law, const NormalForce<T>& normal) {
   return law.friction * positive_part(normal.total);
 }
 

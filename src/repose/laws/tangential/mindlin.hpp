@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <string_view>
+#include <type_traits>
 
 namespace repose {
 
@@ -41,30 +42,32 @@ inline double surface_stiffness(const Mindlin& law, double normal_stiffness, dou
   return 3.0 * law.ratio * normal_stiffness;
 }
 
-template <class Tangential>
-REPOSE_FN Tangential tangential_force(const Mindlin& law, const Touch<double>& touch, const NormalForce<double>& normal,
-                                      const Tangential& slip_velocity, double dt, Tangential& slip) {
-  if (!(touch.overlap > 0.0)) {
-    slip = Tangential{};
-    return slip;
-  }
-  const double before = touch.overlap - touch.closing_speed * dt;
-  if (before < touch.overlap) slip = slip * std::sqrt(positive_part(before) / touch.overlap);
-  const double stiffness = law.ratio * normal.stiffness;
-  const double dashpot = 2.0 * law.damping * std::sqrt(stiffness * touch.mass);
-  return slider_force(stiffness, dashpot, law.friction * positive_part(normal.total), slip_velocity, dt, slip);
+template <class T, class Tangential>
+REPOSE_FN Tangential tangential_force(const Mindlin& law, const Touch<T>& touch, const NormalForce<T>& normal,
+                                      const Tangential& slip_velocity, const std::type_identity_t<T>& dt,
+                                      Tangential& slip) {
+  const T before = touch.overlap - touch.closing_speed * dt;
+  slip = slip * choose(before < touch.overlap, root(positive_part(before) / touch.overlap), T(1.0));
+  const T stiffness = law.ratio * normal.stiffness;
+  const T dashpot = (2.0 * law.damping) * root(stiffness * touch.mass);
+  const T limit = law.friction * positive_part(normal.total);
+  const Tangential force = slider_force(stiffness, T(1.0) / stiffness, dashpot, limit, slip_velocity, dt, slip);
+  const auto touches = touch.overlap > T(0.0);
+  slip = choose(touches, slip, Tangential{});
+  return choose(touches, force, Tangential{});
 }
 
 /// The slip displacement becomes shorter while the overlap grows, as in `tangential_force`.
-template <class Tangential>
-REPOSE_FN Tangential displaced(const Mindlin&, const Touch<double>& touch, const Tangential& slip_velocity, double dt,
-                               const Tangential& slip) {
+template <class T, class Tangential>
+REPOSE_FN Tangential displaced(const Mindlin&, const Touch<T>& touch, const Tangential& slip_velocity,
+                               const std::type_identity_t<T>& dt, const Tangential& slip) {
   const Tangential moved = slip + slip_velocity * dt;
-  const double later = touch.overlap + touch.closing_speed * dt;
-  return later > touch.overlap ? moved * std::sqrt(positive_part(touch.overlap) / later) : moved;
+  const T later = touch.overlap + touch.closing_speed * dt;
+  return moved * choose(later > touch.overlap, root(positive_part(touch.overlap) / later), T(1.0));
 }
 
-REPOSE_FN double coulomb_limit(const Mindlin& law, const NormalForce<double>& normal) {
+template <class T>
+REPOSE_FN T coulomb_limit(const Mindlin& law, const NormalForce<T>& normal) {
   return law.friction * positive_part(normal.total);
 }
 

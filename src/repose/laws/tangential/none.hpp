@@ -9,6 +9,7 @@
 #include "repose/laws/touch.hpp"
 
 #include <string_view>
+#include <type_traits>
 
 namespace repose {
 
@@ -21,19 +22,21 @@ inline void parameters(None&, Parameters&, const LawScales&) {}
 
 inline double surface_stiffness(const None&, double, double) { return 0.0; }
 
-template <class Tangential>
-REPOSE_FN Tangential tangential_force(const None&, const Touch<double>&, const NormalForce<double>&, const Tangential&,
-                                      double, Tangential&) {
+template <class T, class Tangential>
+REPOSE_FN Tangential tangential_force(const None&, const Touch<T>&, const NormalForce<T>&, const Tangential&,
+                                      const std::type_identity_t<T>&, Tangential&) {
   return Tangential{};
 }
 
-template <class Tangential>
-REPOSE_FN Tangential displaced(const None&, const Touch<double>&, const Tangential&, double,
-                               const Tangential& unmoved) {
+template <class T, class Tangential>
+REPOSE_FN Tangential displaced(const None&, const Touch<T>&, const Tangential&, double, const Tangential& unmoved) {
   return unmoved;
 }
 
-REPOSE_FN double coulomb_limit(const None&, const NormalForce<double>&) { return 0.0; }
+template <class T>
+REPOSE_FN T coulomb_limit(const None&, const NormalForce<T>&) {
+  return T(0.0);
+}
 
 template <class Tangential>
 double stored_energy(const None&, const Touch<double>&, const NormalForce<double>&, const Tangential&) {

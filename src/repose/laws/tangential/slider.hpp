@@ -4,19 +4,22 @@
 
 #include "repose/laws/tangential/limit.hpp"
 
+#include <type_traits>
+
 namespace repose {
 
-/// The force [M L/T^2] of a spring and a dashpot in parallel, capped at `limit`. Advances `displacement` [L] by dt;
-/// while the contact slides, it keeps the value that gives the capped force.
-template <class Tangential>
-REPOSE_FN Tangential slider_force(double stiffness, double dashpot, double limit, const Tangential& velocity, double dt,
-                                  Tangential& displacement) {
-  displacement = displacement + velocity * dt;
+/// The force [M L/T^2] of a spring and a dashpot in parallel, capped at `limit`. The compliance is 1 / stiffness.
+/// Advances `displacement` [L] by dt; while the contact slides, it keeps the value that gives the capped force.
+template <class T, class Tangential>
+REPOSE_FN Tangential slider_force(const std::type_identity_t<T>& stiffness, const std::type_identity_t<T>& compliance,
+                                  const T& dashpot, const T& limit, const Tangential& velocity,
+                                  const std::type_identity_t<T>& dt, Tangential& displacement) {
+  const Tangential moved = displacement + velocity * dt;
   const Tangential damping = velocity * -dashpot;
-  const Tangential wanted = damping - displacement * stiffness;
-  if (!(magnitude(wanted) > limit)) return wanted;
-  const Tangential force = limited(wanted, limit);
-  displacement = (damping - force) * (1.0 / stiffness);
+  const Tangential wanted = damping - moved * stiffness;
+  const auto slides = magnitude(wanted) > limit;
+  const Tangential force = choose(slides, limited(wanted, limit), wanted);
+  displacement = choose(slides, Tangential((damping - force) * compliance), moved);
   return force;
 }
 

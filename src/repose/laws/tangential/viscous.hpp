@@ -10,6 +10,7 @@
 #include "repose/laws/touch.hpp"
 
 #include <string_view>
+#include <type_traits>
 
 namespace repose {
 
@@ -34,19 +35,19 @@ inline double surface_stiffness(const Viscous& law, double /*normal_stiffness*/,
   return mass * 2.25 * law.rate * law.rate;
 }
 
-template <class Tangential>
-REPOSE_FN Tangential tangential_force(const Viscous& law, const Touch<double>& touch, const NormalForce<double>& normal,
-                                      const Tangential& slip_velocity, double, Tangential&) {
-  return limited(slip_velocity * (-law.rate * touch.reduced_mass), law.friction * positive_part(normal.total));
+template <class T, class Tangential>
+REPOSE_FN Tangential tangential_force(const Viscous& law, const Touch<T>& touch, const NormalForce<T>& normal,
+                                      const Tangential& slip_velocity, const std::type_identity_t<T>&, Tangential&) {
+  return limited(slip_velocity * (-law.rate * touch.reduced_mass()), law.friction * positive_part(normal.total));
 }
 
-template <class Tangential>
-REPOSE_FN Tangential displaced(const Viscous&, const Touch<double>&, const Tangential&, double,
-                               const Tangential& unmoved) {
+template <class T, class Tangential>
+REPOSE_FN Tangential displaced(const Viscous&, const Touch<T>&, const Tangential&, double, const Tangential& unmoved) {
   return unmoved;
 }
 
-REPOSE_FN double coulomb_limit(const Viscous& law, const NormalForce<double>& normal) {
+template <class T>
+REPOSE_FN T coulomb_limit(const Viscous& law, const NormalForce<T>& normal) {
   return law.friction * positive_part(normal.total);
 }
 

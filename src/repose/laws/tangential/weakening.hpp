@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <type_traits>
 
 namespace repose {
 
@@ -28,8 +29,9 @@ struct Weakening {
 
   static constexpr std::string_view name = "weakening";
 
-  REPOSE_FN double friction_at(double slip_speed) const {
-    const double left = std::max(0.0, 1.0 - slip_speed / weakening_velocity);
+  template <class T>
+  REPOSE_FN T friction_at(const T& slip_speed) const {
+    const T left = positive_part(1.0 - slip_speed / weakening_velocity);
     return dynamic_friction + (friction - dynamic_friction) * left;
   }
 };
@@ -49,23 +51,24 @@ inline double surface_stiffness(const Weakening& law, double /*normal_stiffness*
   return 3.0 * law.stiffness;
 }
 
-template <class Tangential>
-REPOSE_FN Tangential tangential_force(const Weakening& law, const Touch<double>& touch,
-                                      const NormalForce<double>& normal, const Tangential& slip_velocity, double dt,
+template <class T, class Tangential>
+REPOSE_FN Tangential tangential_force(const Weakening& law, const Touch<T>& touch, const NormalForce<T>& normal,
+                                      const Tangential& slip_velocity, const std::type_identity_t<T>& dt,
                                       Tangential& slip) {
-  const double dashpot = 2.0 * law.damping * std::sqrt(law.stiffness) * std::sqrt(touch.mass);
-  return slider_force(law.stiffness, dashpot, coulomb_limit(law, normal, slip_velocity), slip_velocity, dt, slip);
+  const T dashpot = (2.0 * law.damping * root(law.stiffness)) * root(touch.mass);
+  return slider_force(T(law.stiffness), T(1.0 / law.stiffness), dashpot, coulomb_limit(law, normal, slip_velocity),
+                      slip_velocity, dt, slip);
 }
 
 /// At rest.
-REPOSE_FN double coulomb_limit(const Weakening& law, const NormalForce<double>& normal) {
+template <class T>
+REPOSE_FN T coulomb_limit(const Weakening& law, const NormalForce<T>& normal) {
   return law.friction * positive_part(normal.total);
 }
 
 /// At this slip.
-template <class Tangential>
-REPOSE_FN double coulomb_limit(const Weakening& law, const NormalForce<double>& normal,
-                               const Tangential& slip_velocity) {
+template <class T, class Tangential>
+REPOSE_FN T coulomb_limit(const Weakening& law, const NormalForce<T>& normal, const Tangential& slip_velocity) {
   return law.friction_at(magnitude(slip_velocity)) * positive_part(normal.total);
 }
 

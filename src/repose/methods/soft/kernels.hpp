@@ -5,18 +5,12 @@
 #include "repose/laws/any_law.hpp"
 #include "repose/laws/material_table.hpp"
 #include "repose/methods/method.hpp"
+#include "repose/methods/soft/fused_laws.hpp"
 #include "repose/methods/soft/settings.hpp"
 
 #include <memory>
 
 namespace repose {
-
-// The laws that have a fused kernel.
-using HookeLinear = PairLaw<Hooke, Linear>;
-using HookeCumulative = PairLaw<Hooke, Cumulative>;
-using HertzMindlin = PairLaw<Hertz, Mindlin>;
-using ElasticHertzMindlin = PairLaw<ElasticHertz, Mindlin>;
-using ContinuousCumulative = PairLaw<Continuous, Cumulative>;
 
 /// The soft method, `Soft<D, Law>`, for a law chosen when it is compiled. The library has, in 2D, the kernels of the
 /// laws above and of AnyPairLaw; make_kernel.hpp compiles others.

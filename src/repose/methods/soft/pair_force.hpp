@@ -6,6 +6,7 @@
 #include "repose/core/box.hpp"
 #include "repose/core/grains.hpp"
 #include "repose/laws/contact_force.hpp"
+#include "repose/methods/soft/pair_geometry.hpp"
 #include "repose/methods/soft/push.hpp"
 #include "repose/methods/wall_list.hpp"
 
@@ -15,52 +16,34 @@
 
 namespace repose::soft {
 
-/// The geometry and relative motion of a pair in reach.
-template <int D>
-struct PairGeometry {
-  Touch<double> touch;
-  Vec<D> normal;             ///< unit vector from the second to the first
-  Tangent<D> slip_velocity;  ///< [L/T]
-  Tangent<D> roll_velocity;  ///< [L/T]
-  double lever;              ///< distance of a centre from the contact point over the radius of that grain
-};
-
 /// The part of a difference of angular velocities that is rolling: in 3D, all but the spin about the normal.
 REPOSE_FN double rolling_part(double spin, const Vec<2>&) { return spin; }
 REPOSE_FN Vec<3> rolling_part(const Vec<3>& spin, const Vec<3>& normal) { return tangential(spin, normal); }
 
-/// The pair as a law sees it. The lever of each grain is its fraction r s_i / (s_i + s_j) of the distance r. With the
-/// whole distance, as printed in Baxter et al. (6) and (13), a rigid rotation would count as slip.
+/// The same with the rolling of two grains.
 template <int D>
 REPOSE_FN PairGeometry<D> pair_geometry(const Grain<D>& a, const Grain<D>& b, const Vec<D>& d, double distance2,
-                                        double reach) {
+                                        double within) {
   const double radii = a.radius + b.radius;
-  const double distance = std::sqrt(distance2);
-  const double inverse = 1.0 / distance;
-  const Vec<D> normal = d * inverse;
-  const double lever = distance / radii;
-  const Vec<D> relative = a.velocity - b.velocity;
-  const auto rim = a.rim_velocity + b.rim_velocity;
-  const double mass = 2.0 * a.mass * b.mass / (a.mass + b.mass);
-  const double reduced_mass = 1.0 / (a.inverse_mass + b.inverse_mass);
   const double roll_radius = 2.0 * a.radius * b.radius / radii;
-  const auto turning = a.rim_velocity * (roll_radius / a.radius) - b.rim_velocity * (roll_radius / b.radius);
-  return {make_touch(distance, inverse, radii, reach, -dot(relative, normal), mass, reduced_mass, roll_radius), normal,
-          tangential(relative, normal) - spin_cross(rim * lever, normal), rolling_part(turning, normal), lever};
+  const PairMotion<D, double> motion{d,     a.velocity - b.velocity,     a.rim_velocity + b.rim_velocity,
+                                     radii, 1.0 / a.mass + 1.0 / b.mass, a.inverse_mass + b.inverse_mass};
+  auto pair = pair_geometry(motion, distance2, within, roll_radius);
+  const Spin<D> turning = a.rim_velocity * (roll_radius / a.radius) - b.rim_velocity * (roll_radius / b.radius);
+  pair.roll_velocity = rolling_part(turning, pair.normal);
+  return pair;
 }
 
 /// Converts the forces of a contact to the push on its grains, which have these radii.
 template <int D, bool Full>
 REPOSE_FN void to_push(const PairGeometry<D>& pair, const ContactForce<Tangent<D>>& force, double radius,
                        double back_radius, Push<D, Full>& push) {
-  const Vec<D> friction = in_space(force.tangential, pair.normal);
-  push.force = pair.normal * (force.normal.total - force.attraction) + friction;
-  push.rim_torque = normal_cross(pair.normal, force.tangential) * -pair.lever;
+  to_push(pair, force, push.force, push.rim_torque);
   if constexpr (Full) {
     push.back_rim_torque = push.rim_torque - force.rolling * (pair.touch.roll_radius / back_radius);
     push.rim_torque += force.rolling * (pair.touch.roll_radius / radius);
     push.damping = pair.normal * (force.normal.total - force.normal.elastic);
-    push.friction = friction;
+    push.friction = in_space(force.tangential, pair.normal);
   }
 }
 
@@ -133,9 +116,8 @@ REPOSE_FN PairGeometry<D> wall_geometry(const Law& law, const Grain<D>& a, const
   const Vec<D> relative = a.velocity - now.velocity - surface;
   const Tangent<D> slip = tangential(relative, place.normal) - spin_cross(a.rim_velocity, place.normal);
   const double yielding = now.inverse_mass * squared(dot(wall.motion.direction, place.normal));
-  const double reduced_mass = yielding > 0.0 ? a.mass / (1.0 + a.mass * yielding) : a.mass;
   auto touch = make_touch(distance, 1.0 / distance, diameter, within, -dot(relative, place.normal), a.mass,
-                          reduced_mass, a.radius);
+                          1.0 / a.mass + yielding, a.radius);
   touch.effective_radius = a.radius;
   return {touch, place.normal, slip, rolling_part(a.rim_velocity - now.spin * a.radius, place.normal), 1.0};
 }

@@ -3,11 +3,13 @@
 #pragma once
 
 #include "repose/boundaries/wall_contacts.hpp"
+#include "repose/core/inline.hpp"
 #include "repose/core/team.hpp"
-#include "repose/methods/soft/pair_force.hpp"
+#include "repose/core/vec.hpp"
 #include "repose/neighbours/pair_list.hpp"
 
-#include <bit>
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -35,22 +37,29 @@ struct LoadedGrain {
   Vec<D> force;        ///< [M L/T^2]
 };
 
-/// The contiguous range of grains of one member of the team, and its working memory.
-template <int D, bool Full>
-struct Workspace {
+/// The contiguous range of grains of one member of the team, and what it knows of its step.
+template <int D>
+struct alignas(64) Part {
   Range rows;
-  std::vector<EdgePair> edges;             ///< ascending by (i, k), the order of the sweep
-  std::vector<Push<D, Full>> edge_push;    ///< forces of the edge pairs in this step
-  std::vector<Arrival> arrivals;           ///< edge pairs whose second grain is in this range, ascending by (j, i)
-  std::vector<Slot<D, Full>> ring;         ///< its size is a power of two above the bandwidth
-  std::vector<std::uint32_t> special;      ///< fixed, near a wall or loaded grains, ascending; the last is a sentinel
-  std::vector<Slot<D, Full>> special_sum;  ///< sums of their pushes by other grains
-  std::vector<WallState> walls;            ///< every member moves the walls itself, from the same numbers
+  std::vector<EdgePair> edges;         ///< ascending by (i, k), the order of the sweep
+  std::vector<Arrival> arrivals;       ///< edge pairs whose second grain is in this range, ascending by (j, i)
+  std::vector<std::uint32_t> special;  ///< fixed, near a wall or loaded grains, ascending; the last is a sentinel
+  std::vector<WallState> walls;        ///< every member moves the walls itself, from the same numbers
   std::vector<WallNow<D>> walls_now;
   WallContacts<D> at_walls;  ///< of the grain at hand
-  double fastest2 = 0.0;     ///< [L^2/T^2] largest squared speed of grains and walls in this step
+  Vec<D> fastest{};          ///< [L/T] largest magnitude of each component of a grain's velocity in this step
   bool trouble = false;
 };
+
+/// Takes note of the speed of a grain that has moved. A component above the limit [L/T] is too fast to follow.
+template <int D>
+REPOSE_FN void watch(const Vec<D>& velocity, double limit, Part<D>& part) {
+  for (int k = 0; k < D; ++k) {
+    const double speed = std::fabs(velocity[k]);
+    part.trouble |= !(speed < limit);  // also true for NaN
+    if (speed > part.fastest[k]) part.fastest[k] = speed;
+  }
+}
 
 /// The end (exclusive) of the partners of row i whose forces go into the ring of the member with these rows.
 inline std::uint32_t ring_end(const Range& rows, std::uint32_t i, std::uint32_t far) {
@@ -58,43 +67,44 @@ inline std::uint32_t ring_end(const Range& rows, std::uint32_t i, std::uint32_t 
   return static_cast<std::uint32_t>(furthest < rows.end ? furthest : rows.end);
 }
 
-/// Divides the grains among the members of a team by the work in their rows, and finds the edge pairs.
-template <int D, bool Full>
-std::vector<Workspace<D, Full>> make_workspaces(const PairList<D>& pairs, std::size_t grains, int members) {
-  std::vector<Workspace<D, Full>> workspaces(static_cast<std::size_t>(members));
+/// Divides the grains among the members of a team by the work in their rows, and finds the edge pairs. `Space` is a
+/// Part with the working memory of a kernel.
+template <class Space, int D>
+std::vector<Space> make_parts(const PairList<D>& pairs, std::size_t grains, int members) {
+  std::vector<Space> parts(static_cast<std::size_t>(members));
   const double row_cost = 2.0;  // a row without pairs costs about as much as two pairs
   const double all = static_cast<double>(pairs.pairs()) + row_cost * static_cast<double>(grains);
   std::size_t i = 0;
   for (int m = 0; m < members; ++m) {
-    auto& rows = workspaces[static_cast<std::size_t>(m)].rows;
+    auto& rows = parts[static_cast<std::size_t>(m)].rows;
     rows.begin = i;
     const double until = all * (m + 1) / members;
-    while (i < grains && (m + 1 == members || pairs.row_start[i] + row_cost * static_cast<double>(i) < until)) ++i;
+    if (m + 1 == members) i = grains;
+    while (i < grains && pairs.row_start[i] + row_cost * static_cast<double>(i) < until) ++i;
     rows.end = i;
   }
-  for (std::size_t m = 0; m < workspaces.size(); ++m) {
-    auto& space = workspaces[m];
-    for (auto row = static_cast<std::uint32_t>(space.rows.begin); row < space.rows.end; ++row) {
-      const auto end = ring_end(space.rows, row, PairList<D>::far);
+  for (std::size_t m = 0; m < parts.size(); ++m) {
+    auto& part = parts[m];
+    if (members == 1 && !pairs.any_far) break;
+    for (auto row = static_cast<std::uint32_t>(part.rows.begin); row < part.rows.end; ++row) {
+      const auto end = ring_end(part.rows, row, PairList<D>::far);
       for (auto k = pairs.row_start[row]; k < pairs.row_start[row + 1]; ++k) {
-        if (pairs.partner[k] >= end) space.edges.push_back({row, k});
+        if (pairs.partner[k] >= end) part.edges.push_back({row, k});
       }
     }
-    space.edge_push.resize(space.edges.size());
-    space.ring.assign(std::bit_ceil(static_cast<std::size_t>(pairs.bandwidth) + 1), {});
-    for (std::size_t e = 0; e < space.edges.size(); ++e) {
-      const auto j = pairs.partner[space.edges[e].k];
+    for (std::size_t e = 0; e < part.edges.size(); ++e) {
+      const auto j = pairs.partner[part.edges[e].k];
       std::size_t home = m;
-      while (j >= workspaces[home].rows.end) ++home;
-      workspaces[home].arrivals.push_back({j, static_cast<std::uint32_t>(m), static_cast<std::uint32_t>(e)});
+      while (j >= parts[home].rows.end) ++home;
+      parts[home].arrivals.push_back({j, static_cast<std::uint32_t>(m), static_cast<std::uint32_t>(e)});
     }
   }
   // Arrivals were added by ascending i, so a stable sort by j leaves i ascending for each j.
-  for (auto& space : workspaces) {
-    std::stable_sort(space.arrivals.begin(), space.arrivals.end(),
+  for (auto& part : parts) {
+    std::stable_sort(part.arrivals.begin(), part.arrivals.end(),
                      [](const Arrival& a, const Arrival& b) { return a.j < b.j; });
   }
-  return workspaces;
+  return parts;
 }
 
 }  // namespace repose::soft

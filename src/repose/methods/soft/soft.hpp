@@ -5,13 +5,15 @@
 #include "repose/laws/any_law.hpp"
 #include "repose/methods/method.hpp"
 #include "repose/methods/soft/audit.hpp"
-#include "repose/methods/soft/sweep.hpp"
+#include "repose/methods/soft/general.hpp"
+#include "repose/methods/soft/rows/fused.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <memory>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -20,15 +22,19 @@ namespace repose {
 /// Soft-particle dynamics: forces from overlaps, integrated by explicit leapfrog.
 /// Source: Baxter et al. (1997), section II, as corrected in docs/physics/soft.md.
 ///
-/// `Full` kernels include rolling resistance and the energy budget; the others are faster.
-template <int D, class Law, bool Full = std::is_same_v<Law, AnyPairLaw>>
+/// The general kernel includes rolling resistance, bonds, damping and the energy budget; the fused ones are faster.
+template <int D, class Law>
 class Soft final : public Method<D> {
+  static constexpr bool Full = std::is_same_v<Law, AnyPairLaw>;
+  using Kernel = std::conditional_t<Full, soft::GeneralKernel<D, Law>, soft::FusedKernel<D, Law>>;
+
  public:
   Soft(MaterialTable<Law> laws, SoftSettings<D> settings)
       : laws_(std::move(laws)),
         settings_(std::move(settings)),
         pairs_(PairReach{widest_reach(), settings_.skin, look_ahead_steps * settings_.time_step,
                          magnitude(settings_.gravity), Full, makes_bonds()}),
+        kernel_(settings_),
         walls_(settings_.walls.size()),
         wall_list_(settings_.walls.size()),
         crossings_(settings_.walls.size()) {
@@ -64,25 +70,29 @@ class Soft final : public Method<D> {
       const long start = step_;
       team.run([&](int member) {
         // Every member computes the same numbers and takes the same decisions.
-        auto& mine = workspaces_[static_cast<std::size_t>(member)];
+        auto& mine = parts_[static_cast<std::size_t>(member)];
+        kernel_.take(grains, mine, pairs_);
+        team.wait();
         long done = before;
         double travelled = pairs_.travelled();
         bool trouble = false;
         while (done < steps && !trouble && travelled <= pairs_.slack()) {
           const auto in = input(start + done - before);
-          soft::sweep(in, grains, workspaces_, team, member);
-          double fastest2 = 0.0;
-          for (const auto& space : workspaces_) {
-            fastest2 = std::max(fastest2, space.fastest2);
-            trouble |= space.trouble;
+          kernel_.step(in, grains, parts_, team, member);
+          Vec<D> fastest{};
+          for (const auto& part : parts_) {
+            for (int k = 0; k < D; ++k) fastest[k] = std::max<double>(fastest[k], part.fastest[k]);
+            trouble |= part.trouble;
           }
+          double furthest = magnitude(fastest);
           soft::move_walls(in, mine);
           for (std::size_t w = 0; w < mine.walls.size(); ++w) {
-            fastest2 = std::max(fastest2, squared(farthest_moved(settings_.walls[w], mine.walls[w].speed)));
+            furthest = std::max(furthest, farthest_moved(settings_.walls[w], mine.walls[w].speed));
           }
-          travelled += settings_.time_step * std::sqrt(fastest2);
+          travelled += settings_.time_step * furthest;
           ++done;
         }
+        kernel_.give(grains, mine);
         if (team.size() > 1) team.wait();
         if (member != 0) return;
         pairs_.set_travelled(travelled);
@@ -179,7 +189,7 @@ class Soft final : public Method<D> {
   void refresh_pairs(Grains<D>& grains, Team& team) {
     if (!pairs_.may_be_stale() || !pairs_.stale(grains, furthest_wall())) return;
     if (settings_.audit) close_work(grains);
-    const auto order = pairs_.build(grains, settings_.box, team);
+    const auto& order = pairs_.build(grains, settings_.box, team);
     known_ = grains.size();
     if (settings_.audit) work_.assign(grains.size(), {});
     const auto now = walls_now();
@@ -204,16 +214,13 @@ class Soft final : public Method<D> {
   void distribute(const Grains<D>& grains, const Team& team) {
     const auto now = walls_now();
     find_loaded(grains);
-    workspaces_ = soft::make_workspaces<D, Full>(pairs_, grains.size(), team.size());
-    for (auto& space : workspaces_) {
-      space.walls = walls_;
-      space.walls_now = now;
-      for (auto i = static_cast<std::uint32_t>(space.rows.begin); i < space.rows.end; ++i) {
-        if (is_special(grains, i)) space.special.push_back(i);
-      }
-      space.special.push_back(std::numeric_limits<std::uint32_t>::max());
-      space.special_sum.assign(space.special.size(), {});
+    parts_ = soft::make_parts<typename Kernel::Space>(pairs_, grains.size(), team.size());
+    for (auto& part : parts_) {
+      part.walls = walls_;
+      part.walls_now = now;
+      find_special(grains, part);
     }
+    kernel_.prepare(parts_, laws_, pairs_, grains);
     smallest_radius_ = std::numeric_limits<double>::infinity();
     for (const auto& grain : grains.line) smallest_radius_ = std::min(smallest_radius_, grain.radius);
   }
@@ -234,28 +241,37 @@ class Soft final : public Method<D> {
 
   void find_loaded(const Grains<D>& grains) {
     loaded_.clear();
-    for (std::uint32_t load = 0; load < loads_.size(); ++load) {
-      const auto found = std::find(grains.id.begin(), grains.id.end(), loads_[load].grain);
-      if (found == grains.id.end()) continue;
-      loaded_.push_back({static_cast<std::uint32_t>(found - grains.id.begin()), load, loads_[load].force});
+    if (loads_.empty()) return;
+    std::unordered_multimap<std::int64_t, std::uint32_t> load_of;
+    for (std::uint32_t load = 0; load < loads_.size(); ++load) load_of.emplace(loads_[load].grain, load);
+    for (std::uint32_t i = 0; i < grains.size(); ++i) {
+      const auto [first, last] = load_of.equal_range(grains.id[i]);
+      for (auto found = first; found != last; ++found) {
+        loaded_.push_back({i, found->second, loads_[found->second].force});
+      }
     }
-    std::stable_sort(loaded_.begin(), loaded_.end(), [](const auto& a, const auto& b) { return a.i < b.i; });
+    std::sort(loaded_.begin(), loaded_.end(),
+              [](const auto& a, const auto& b) { return a.i != b.i ? a.i < b.i : a.load < b.load; });
   }
 
-  /// Whether a grain is fixed, near a wall or loaded, so that the sweep must do more than move it.
-  bool is_special(const Grains<D>& grains, std::uint32_t i) const {
-    const bool near_wall = wall_list_.any() && wall_list_.row_start[i] != wall_list_.row_start[i + 1];
-    const auto place = std::lower_bound(loaded_.begin(), loaded_.end(), i,
-                                        [](const auto& grain, std::uint32_t row) { return grain.i < row; });
-    const bool loaded = place != loaded_.end() && place->i == i;
-    return grains.line[i].fixed() || near_wall || loaded;
+  /// The grains of a part that are fixed, near a wall or loaded, so that the sweep must do more than move them.
+  void find_special(const Grains<D>& grains, soft::Part<D>& part) const {
+    auto loaded = std::lower_bound(loaded_.begin(), loaded_.end(), part.rows.begin,
+                                   [](const auto& grain, std::size_t row) { return grain.i < row; });
+    for (auto i = static_cast<std::uint32_t>(part.rows.begin); i < part.rows.end; ++i) {
+      const bool near_wall = wall_list_.any() && wall_list_.row_start[i] != wall_list_.row_start[i + 1];
+      const bool is_loaded = loaded != loaded_.end() && loaded->i == i;
+      if (near_wall || is_loaded || grains.line[i].fixed()) part.special.push_back(i);
+      while (loaded != loaded_.end() && loaded->i == i) ++loaded;
+    }
+    part.special.push_back(std::numeric_limits<std::uint32_t>::max());
   }
 
   soft::SweepInput<D, Law> input(long step) {
     const double limit = smallest_radius_ / settings_.time_step;
     // The first kick is half a step, from velocities at the time of the positions.
     const double kick = step > 0 ? settings_.time_step : 0.5 * settings_.time_step;
-    return {laws_, settings_, pairs_, wall_list_, work_, loaded_, load_work_, kick, step, limit * limit};
+    return {laws_, settings_, pairs_, wall_list_, work_, loaded_, load_work_, kick, step, limit};
   }
 
   /// Calls use(first id, second id or wall, law, geometry, force, history, lever of the first) for every pair in reach,
@@ -268,6 +284,7 @@ class Soft final : public Method<D> {
   MaterialTable<Law> laws_;
   SoftSettings<D> settings_;
   PairList<D> pairs_;
+  Kernel kernel_;
   long step_ = 0;
   std::vector<WallState> walls_;
   std::vector<WallState> walls_at_build_;
@@ -276,7 +293,7 @@ class Soft final : public Method<D> {
   std::vector<Load<D>> loads_;
   std::vector<double> load_work_;             // [M L^2/T^2] work of each load
   std::vector<soft::LoadedGrain<D>> loaded_;  // loaded grains of the present list
-  std::vector<soft::Workspace<D, Full>> workspaces_;
+  std::vector<typename Kernel::Space> parts_;
   double smallest_radius_ = 0.0;
   Energy energy_;                      // energy supplied and lost, and that dissipated before the present list
   std::vector<soft::GrainWork> work_;  // dissipated since the present list was built, for each grain
@@ -284,9 +301,9 @@ class Soft final : public Method<D> {
   std::size_t known_ = 0;              // number of grains whose energy is in the budget
 };
 
-template <int D, class Law, bool Full>
+template <int D, class Law>
 template <class Use>
-void Soft<D, Law, Full>::for_every_contact(const Grains<D>& grains, double back, const Use& use) const {
+void Soft<D, Law>::for_every_contact(const Grains<D>& grains, double back, const Use& use) const {
   const auto& box = settings_.box;
   const auto at = [&](std::size_t i) {
     auto grain = grains.line[i];
@@ -345,8 +362,8 @@ void Soft<D, Law, Full>::for_every_contact(const Grains<D>& grains, double back,
   }
 }
 
-template <int D, class Law, bool Full>
-Contacts<D> Soft<D, Law, Full>::contacts(const Grains<D>& grains) const {
+template <int D, class Law>
+Contacts<D> Soft<D, Law>::contacts(const Grains<D>& grains) const {
   Contacts<D> contacts;
   for_every_contact(
       grains, 0.0,
@@ -362,8 +379,8 @@ Contacts<D> Soft<D, Law, Full>::contacts(const Grains<D>& grains) const {
   return contacts;
 }
 
-template <int D, class Law, bool Full>
-void Soft<D, Law, Full>::set_slip_displacements(const Grains<D>& grains, const Contacts<D>& contacts) {
+template <int D, class Law>
+void Soft<D, Law>::set_slip_displacements(const Grains<D>& grains, const Contacts<D>& contacts) {
   std::map<std::pair<std::int64_t, std::int64_t>, Tangent<D>> known;
   for (const auto& contact : contacts.list) known[{contact.first, contact.second}] = contact.slip;
   const auto of = [&](std::int64_t first, std::int64_t second) {
@@ -389,8 +406,8 @@ void Soft<D, Law, Full>::set_slip_displacements(const Grains<D>& grains, const C
   account_for_start(grains);
 }
 
-template <int D, class Law, bool Full>
-void Soft<D, Law, Full>::add_elastic(Energy& account, const Grains<D>& grains) const {
+template <int D, class Law>
+void Soft<D, Law>::add_elastic(Energy& account, const Grains<D>& grains) const {
   if constexpr (Full) {
     for_every_contact(grains, behind(),
                       [&](std::int64_t, std::int64_t second, const Law& law, const soft::PairGeometry<D>& pair,
@@ -405,8 +422,8 @@ void Soft<D, Law, Full>::add_elastic(Energy& account, const Grains<D>& grains) c
 
 /// Kicks end at half steps, where the kinetic and the dissipated energy are known. So the potential energies are
 /// computed there too: with positions half a step back and slip displacements of that time.
-template <int D, class Law, bool Full>
-Energy Soft<D, Law, Full>::energy(const Grains<D>& grains) const {
+template <int D, class Law>
+Energy Soft<D, Law>::energy(const Grains<D>& grains) const {
   Energy account = energy_;
   if constexpr (Full) {
     for (const auto k : by_id(grains)) {

@@ -5,6 +5,7 @@
 #include "repose/laws/material_table.hpp"
 #include "repose/methods/soft/audit.hpp"
 #include "repose/methods/soft/global_damping.hpp"
+#include "repose/methods/soft/pair_force.hpp"
 #include "repose/methods/soft/partition.hpp"
 #include "repose/methods/soft/settings.hpp"
 #include "repose/methods/wall_list.hpp"
@@ -12,7 +13,7 @@
 #include <algorithm>
 #include <vector>
 
-/// The step of the soft method over one member's grains.
+/// The step of the soft method over the grains of a member: what the general kernel and the fused ones have in common.
 ///
 /// The sweep visits grains in memory order. Every pair (i, j) has j > i. So when the sweep reaches grain i, its pairs
 /// with earlier grains are done, and their forces are in its slot of the ring. The sweep then computes the other pairs
@@ -22,7 +23,7 @@
 /// the same to the bit for any number of members.
 namespace repose::soft {
 
-/// The input of one sweep.
+/// The input of one sweep by the general kernel, and of what a fused one leaves to it: walls, loads, fixed grains.
 template <int D, class Law>
 struct SweepInput {
   const MaterialTable<Law>& laws;
@@ -34,7 +35,7 @@ struct SweepInput {
   std::vector<double>& load_work;             ///< [M L^2/T^2] work of each load
   double kick;                                ///< [T] half a step in the first step, then a step
   long step;                                  ///< number of this step
-  double speed_limit2;                        ///< [L^2/T^2] squared speed above which a grain cannot be followed
+  double speed_limit;                         ///< [L/T] of each component, above which a grain cannot be followed
 };
 
 /// The times by which contacts advance in this step: the step itself for velocities of the half step, whose sum is the
@@ -49,26 +50,11 @@ REPOSE_FN auto contact_times(const SweepInput<D, Law>& in) {
   }
 }
 
-template <bool Periodic, bool Synchronised, bool Full, int D, class Law>
-void push_edges(const SweepInput<D, Law>& in, const Grains<D>& grains, Workspace<D, Full>& mine) {
-  Tangent<D> no_roll{};
-  std::uint8_t no_bond = 0;
-  for (std::size_t e = 0; e < mine.edges.size(); ++e) {
-    const auto [i, k] = mine.edges[e];
-    const auto j = in.pairs.partner[k];
-    mine.edge_push[e] = {};
-    pair_force<Periodic>(in.laws.of(grains.material[i], grains.material[j]), grains.line[i], grains.line[j],
-                         in.settings.box, contact_times<Synchronised>(in), in.pairs.slip[k],
-                         Full ? in.pairs.roll[k] : no_roll, in.pairs.bonded.empty() ? no_bond : in.pairs.bonded[k],
-                         mine.edge_push[e]);
-  }
-}
-
 /// The change of velocity and rim velocity by a total push.
 template <int D, bool Full, class Law>
 REPOSE_FN HalfStep<D> kick_of(const SweepInput<D, Law>& in, const Grain<D>& grain, const Slot<D, Full>& sum) {
   const double per_mass = in.kick * grain.inverse_mass;
-  return {(sum.force + in.settings.gravity * grain.mass) * per_mass,
+  return {sum.force * per_mass + in.settings.gravity * in.kick,
           sum.rim_torque * (per_mass * inverse_inertia_factor<D>)};
 }
 
@@ -140,8 +126,7 @@ void add_work(GrainWork& work, const Slot<D, true>& sum, const WallPush<D, true>
 
 /// The push of the walls on grain i. The force of each wall is also stored with its pair.
 template <bool Synchronised, bool Full, int D, class Law>
-WallPush<D, Full> push_of_walls(const SweepInput<D, Law>& in, const Grains<D>& grains, std::size_t i,
-                                Workspace<D, Full>& mine) {
+WallPush<D, Full> push_of_walls(const SweepInput<D, Law>& in, const Grains<D>& grains, std::size_t i, Part<D>& mine) {
   WallPush<D, Full> sum;
   const auto& grain = grains.line[i];
   const auto& walls = in.settings.walls;
@@ -203,7 +188,7 @@ REPOSE_FN HalfStep<D> finish_row(const SweepInput<D, Law>& in, Grains<D>& grains
 
 /// Finishes the row of a grain that is fixed, near a wall or loaded.
 template <bool Synchronised, bool Full, int D, class Law>
-void finish_special_row(const SweepInput<D, Law>& in, Grains<D>& grains, std::size_t i, Workspace<D, Full>& mine,
+void finish_special_row(const SweepInput<D, Law>& in, Grains<D>& grains, std::size_t i, Part<D>& mine,
                         const Slot<D, Full>& of_pairs) {
   if (grains.line[i].fixed()) {
     grains.reaction[i] += of_pairs.force * in.settings.time_step;
@@ -212,7 +197,7 @@ void finish_special_row(const SweepInput<D, Law>& in, Grains<D>& grains, std::si
   Slot<D, Full> sum = of_pairs;
   WallPush<D, Full> at_walls;
   if (in.walls.any()) {
-    at_walls = push_of_walls<Synchronised>(in, grains, i, mine);
+    at_walls = push_of_walls<Synchronised, Full>(in, grains, i, mine);
     sum.force += at_walls.all.force;
     sum.rim_torque += at_walls.all.rim_torque;
   }
@@ -225,8 +210,8 @@ void finish_special_row(const SweepInput<D, Law>& in, Grains<D>& grains, std::si
 }
 
 /// Moves the walls under the push of the grains in this step. Every member does it for itself, after all sweeps.
-template <bool Full, int D, class Law>
-void move_walls(const SweepInput<D, Law>& in, Workspace<D, Full>& mine) {
+template <int D, class Law>
+void move_walls(const SweepInput<D, Law>& in, Part<D>& mine) {
   const double dt = in.settings.time_step;
   for (std::size_t w = 0; w < in.settings.walls.size(); ++w) {
     const auto& wall = in.settings.walls[w];
@@ -251,103 +236,6 @@ void move_walls(const SweepInput<D, Law>& in, Workspace<D, Full>& mine) {
     }
     mine.walls_now[w] = wall_now(wall, state, static_cast<double>(in.step + 1) * dt);
   }
-}
-
-template <bool Periodic, bool Synchronised, bool OneMaterial, bool Full, int D, class Law>
-void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Workspace<D, Full>>& workspaces,
-                Workspace<D, Full>& mine) {
-  const Law law = in.laws.first();
-  const Box<D> box = in.settings.box;
-  const auto times = contact_times<Synchronised>(in);
-  const std::uint32_t* const row_start = in.pairs.row_start.data();
-  const std::uint32_t* const partner = in.pairs.partner.data();
-  Tangent<D>* const history = in.pairs.slip.data();
-  [[maybe_unused]] Tangent<D>* const roll = in.pairs.roll.data();
-  [[maybe_unused]] std::uint8_t* const bonded = in.pairs.bonded.empty() ? nullptr : in.pairs.bonded.data();
-  [[maybe_unused]] std::uint8_t no_bond = 0;
-  Grain<D>* const line = grains.line.data();
-  Slot<D, Full>* const ring = mine.ring.data();
-  const std::size_t mask = mine.ring.size() - 1;
-
-  auto arrival = mine.arrivals.begin();
-  const auto receive_up_to = [&](std::size_t last) {
-    for (; arrival != mine.arrivals.end() && arrival->j <= last; ++arrival) {
-      ring[arrival->j & mask].add_back(workspaces[arrival->member].edge_push[arrival->edge]);
-    }
-  };
-  if (mine.rows.begin < mine.rows.end) receive_up_to(mine.rows.begin + mask);
-
-  const std::uint32_t* special = mine.special.data();
-  Slot<D, Full>* special_sum = mine.special_sum.data();
-  double fastest2 = 0.0;
-  bool trouble = false;
-  const auto watch = [&](const Grain<D>& grain) {
-    const double speed2 = dot(grain.velocity, grain.velocity);
-    trouble |= !(speed2 < in.speed_limit2);  // also true for NaN
-    fastest2 = std::max(fastest2, speed2);
-  };
-  std::size_t edge = 0;
-  for (std::size_t row = mine.rows.begin; row < mine.rows.end; ++row) {
-    const auto i = static_cast<std::uint32_t>(row);
-    Slot<D, Full> sum = ring[i & mask];
-    ring[i & mask] = {};
-    const Grain<D>& grain = line[i];
-    const auto ring_stop = ring_end(mine.rows, i, PairList<D>::far);
-    const auto row_stop = row_start[i + 1];
-    auto k = row_start[i];
-    for (; k < row_stop && partner[k] < ring_stop; ++k) {
-      const auto j = partner[k];
-      Push<D, Full> push;
-      const Law& pair_law = OneMaterial ? law : in.laws.of(grains.material[i], grains.material[j]);
-      if constexpr (Full) {
-        auto& bond = bonded == nullptr ? no_bond : bonded[k];
-        if (!pair_force<Periodic>(pair_law, grain, line[j], box, times, history[k], roll[k], bond, push)) continue;
-      } else {
-        if (!pair_force<Periodic>(pair_law, grain, line[j], box, times, history[k], push)) continue;
-      }
-      sum.add(push);
-      ring[j & mask].add_back(push);
-    }
-    for (; k < row_stop; ++k, ++edge) sum.add(mine.edge_push[edge]);
-    if (i == *special) [[unlikely]] {
-      ++special;
-      *special_sum++ = sum;
-    } else {
-      finish_row<Synchronised>(in, grains, i, sum, WallPush<D, Full>{});
-      watch(line[i]);
-    }
-    receive_up_to(row + 1 + mask);
-  }
-  // Nothing needs the old state of a row after the sweep has passed it, so these rows can be finished last. A call in
-  // the loop would slow all rows down, because it would spill their registers.
-  for (std::size_t s = 0; s + 1 < mine.special.size(); ++s) {
-    finish_special_row<Synchronised>(in, grains, mine.special[s], mine, mine.special_sum[s]);
-    watch(line[mine.special[s]]);
-  }
-  mine.fastest2 = fastest2;
-  mine.trouble = trouble;
-}
-
-/// One step of one member over its grains. The walls are moved later.
-template <int D, class Law, bool Full>
-void sweep(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Workspace<D, Full>>& workspaces, Team& team,
-           int member) {
-  auto& mine = workspaces[static_cast<std::size_t>(member)];
-  const auto with_flag = [](bool flag, const auto& use) { flag ? use(std::true_type{}) : use(std::false_type{}); };
-  with_flag(in.settings.box.periodic, [&](auto periodic) {
-    with_flag(in.settings.synchronised, [&](auto synchronised) {
-      push_edges<periodic, synchronised>(in, grains, mine);
-      team.wait();
-      if constexpr (Full) {
-        sweep_rows<periodic, synchronised, false>(in, grains, workspaces, mine);
-      } else {
-        with_flag(in.laws.single(), [&](auto one_material) {
-          sweep_rows<periodic, synchronised, one_material>(in, grains, workspaces, mine);
-        });
-      }
-    });
-  });
-  team.wait();
 }
 
 }  // namespace repose::soft
