@@ -5,6 +5,7 @@
 #include "repose/core/grains.hpp"
 #include "repose/core/vec.hpp"
 #include "repose/laws/impulse_law.hpp"
+#include "repose/methods/contact_dynamics/lanes.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -14,22 +15,22 @@
 namespace repose::contact_dynamics {
 
 /// The part of a grain or a wall that a sweep reads and writes.
-template <int D>
-struct alignas(D == 2 ? 32 : 64) Body {
-  Vec<D> velocity{};          ///< [L/T]
-  Spin<D> rim_velocity{};     ///< [L/T] angular velocity times radius
-  double inverse_mass = 0.0;  ///< [1/M] 0: impulses do not move it
+template <int D, class T = double>
+struct alignas(at_least<T>(D == 2 ? 32 : 64)) Body {
+  VecOf<D, T> velocity{};       ///< [L/T]
+  SpinOf<D, T> rim_velocity{};  ///< [L/T] angular velocity times radius
+  T inverse_mass{};             ///< [1/M] 0: impulses do not move it
 };
-static_assert(sizeof(Body<2>) == 32);
+static_assert(sizeof(Body<2>) == 32 && alignof(Body<2>) == 32);
 
 /// The impulse of a contact on its first body in a step; the second body gets the opposite.
-template <int D>
+template <int D, class T = double>
 struct Impulse {
-  double normal = 0.0;   ///< [M L/T] >= 0, pushes the bodies apart
-  Tangent<D> tangent{};  ///< [M L/T]
-  Spin<D> roll{};        ///< [M L/T] torque impulse divided by the roll radius 2 r_i r_j / (r_i + r_j)
+  T normal{};                 ///< [M L/T] >= 0, pushes the bodies apart
+  TangentOf<D, T> tangent{};  ///< [M L/T]
+  SpinOf<D, T> roll{};        ///< [M L/T] torque impulse divided by the roll radius 2 r_i r_j / (r_i + r_j)
 
-  Impulse& operator+=(const Impulse& b) {
+  REPOSE_FN Impulse& operator+=(const Impulse& b) {
     normal += b.normal;
     tangent += b.tangent;
     roll += b.roll;
@@ -42,59 +43,64 @@ struct Impulse {
 };
 
 /// The sum of the squares of all components.
-template <int D>
-double squared(const Impulse<D>& a) {
+template <int D, class T>
+double squared(const Impulse<D, T>& a) {
   return a.normal * a.normal + repose::squared(a.tangent) + repose::squared(a.roll);
 }
 
 /// One contact of the solver: two cache lines. The solver finds impulses for which the formal velocities (relative
 /// velocity after the step plus bias) obey the law.
-template <int D>
-struct alignas(64) ContactLine {
-  Vec<D> normal{};  ///< from the second to the first
-  Impulse<D> impulse{};
-  double normal_bias = 0.0;       ///< [L/T] gap over time step, or restitution times normal velocity before the step
-  Tangent<D> tangent_bias{};      ///< [L/T] tangential restitution times slip velocity before the step
-  double normal_mass = 0.0;       ///< [M] normal impulse per normal velocity
-  double tangent_mass = 0.0;      ///< [M]
-  double roll_mass = 0.0;         ///< [M]
-  double friction = 0.0;          ///< coefficient
-  double rolling_friction = 0.0;  ///< coefficient
-  double lever = 1.0;             ///< distance of a centre from the contact point over the radius of that grain
-  double first_turn = 1.0;        ///< roll radius over radius of the first body; for the second it is 2 - first_turn
+template <int D, class T = double>
+struct alignas(at_least<T>(64)) ContactLine {
+  VecOf<D, T> normal{};  ///< from the second to the first
+  Impulse<D, T> impulse{};
+  T normal_bias{};                 ///< [L/T] gap over time step, or restitution times normal velocity before the step
+  TangentOf<D, T> tangent_bias{};  ///< [L/T] tangential restitution times slip velocity before the step
+  T normal_mass{};                 ///< [M] normal impulse per normal velocity
+  T tangent_mass{};                ///< [M]
+  T roll_mass{};                   ///< [M]
+  T friction{};                    ///< coefficient
+  T rolling_friction{};            ///< coefficient
+  T lever = T{} + 1.0;             ///< distance of a centre from the contact point over the radius of that grain
+  T first_turn = T{} + 1.0;        ///< roll radius over radius of the first body; for the second it is 2 - first_turn
   std::uint32_t first = 0;
   std::uint32_t second = 0;
 };
-static_assert(sizeof(ContactLine<2>) == 128);
+static_assert(sizeof(ContactLine<2>) == 128 && alignof(ContactLine<2>) == 64);
 
 /// The part of a difference of rim velocities that is rolling: in 3D, all but the spin about the normal.
 REPOSE_FN double rolling_part(double spin, const Vec<2>&) { return spin; }
 REPOSE_FN Vec<3> rolling_part(const Vec<3>& spin, const Vec<3>& normal) { return tangential(spin, normal); }
+template <class T>
+REPOSE_FN T rolling_part(const T& spin, const LanesVec<T>&) {
+  return spin;
+}
 
 /// The velocity at which the two bodies separate [L/T].
-template <int D>
-REPOSE_FN double opening_velocity(const ContactLine<D>& c, const Body<D>& a, const Body<D>& b) {
-  return dot(Vec<D>(a.velocity - b.velocity), c.normal);
+template <int D, class T>
+REPOSE_FN T opening_velocity(const ContactLine<D, T>& c, const Body<D, T>& a, const Body<D, T>& b) {
+  return dot(VecOf<D, T>(a.velocity - b.velocity), c.normal);
 }
 
 /// The tangential relative velocity at the contact point [L/T]; zero in a rigid rotation of the pair.
-template <int D>
-REPOSE_FN Tangent<D> slip_velocity(const ContactLine<D>& c, const Body<D>& a, const Body<D>& b) {
-  return tangential(Vec<D>(a.velocity - b.velocity), c.normal) -
+template <int D, class T>
+REPOSE_FN TangentOf<D, T> slip_velocity(const ContactLine<D, T>& c, const Body<D, T>& a, const Body<D, T>& b) {
+  return tangential(VecOf<D, T>(a.velocity - b.velocity), c.normal) -
          spin_cross((a.rim_velocity + b.rim_velocity) * c.lever, c.normal);
 }
 
 /// The difference of the angular velocities times the roll radius [L/T].
-template <int D>
-REPOSE_FN Spin<D> roll_velocity(const ContactLine<D>& c, const Body<D>& a, const Body<D>& b) {
+template <int D, class T>
+REPOSE_FN SpinOf<D, T> roll_velocity(const ContactLine<D, T>& c, const Body<D, T>& a, const Body<D, T>& b) {
   return rolling_part(a.rim_velocity * c.first_turn - b.rim_velocity * (2.0 - c.first_turn), c.normal);
 }
 
 /// Applies the normal and tangential impulse to the two bodies.
-template <int D>
-REPOSE_FN void push(const ContactLine<D>& c, double normal, const Tangent<D>& tangent, Body<D>& a, Body<D>& b) {
-  const Vec<D> impulse = c.normal * normal + in_space(tangent, c.normal);
-  const Spin<D> turn = normal_cross(c.normal, tangent) * (-inverse_inertia_factor<D> * c.lever);
+template <int D, class T>
+REPOSE_FN void push(const ContactLine<D, T>& c, const T& normal, const TangentOf<D, T>& tangent, Body<D, T>& a,
+                    Body<D, T>& b) {
+  const VecOf<D, T> impulse = c.normal * normal + in_space(tangent, c.normal);
+  const SpinOf<D, T> turn = normal_cross(c.normal, tangent) * (-inverse_inertia_factor<D> * c.lever);
   a.velocity += impulse * a.inverse_mass;
   b.velocity -= impulse * b.inverse_mass;
   a.rim_velocity += turn * a.inverse_mass;
@@ -102,8 +108,8 @@ REPOSE_FN void push(const ContactLine<D>& c, double normal, const Tangent<D>& ta
 }
 
 /// Applies the rolling impulse to the two bodies.
-template <int D>
-REPOSE_FN void turn(const ContactLine<D>& c, const Spin<D>& roll, Body<D>& a, Body<D>& b) {
+template <int D, class T>
+REPOSE_FN void turn(const ContactLine<D, T>& c, const SpinOf<D, T>& roll, Body<D, T>& a, Body<D, T>& b) {
   constexpr double factor = inverse_inertia_factor<D>;
   a.rim_velocity += roll * (factor * c.first_turn * a.inverse_mass);
   b.rim_velocity -= roll * (factor * (2.0 - c.first_turn) * b.inverse_mass);
@@ -111,12 +117,13 @@ REPOSE_FN void turn(const ContactLine<D>& c, const Spin<D>& roll, Body<D>& a, Bo
 
 /// Applies impulses to the two bodies of a contact, if every body that moves can move in all directions.
 struct FreeBodies {
-  template <int D>
-  REPOSE_FN void push(const ContactLine<D>& c, double normal, const Tangent<D>& tangent, Body<D>& a, Body<D>& b) const {
+  template <int D, class T>
+  REPOSE_FN void push(const ContactLine<D, T>& c, const T& normal, const TangentOf<D, T>& tangent, Body<D, T>& a,
+                      Body<D, T>& b) const {
     contact_dynamics::push(c, normal, tangent, a, b);
   }
-  template <int D>
-  REPOSE_FN void turn(const ContactLine<D>& c, const Spin<D>& roll, Body<D>& a, Body<D>& b) const {
+  template <int D, class T>
+  REPOSE_FN void turn(const ContactLine<D, T>& c, const SpinOf<D, T>& roll, Body<D, T>& a, Body<D, T>& b) const {
     contact_dynamics::turn(c, roll, a, b);
   }
 };

@@ -4,22 +4,36 @@
 
 #include "repose/methods/contact_dynamics/problem.hpp"
 
-#include <algorithm>
-
 namespace repose::contact_dynamics {
+
+// Relaxation of one contact (T = double) or of several that share no moving body, side by side (T = a vector of them).
+
+/// The largest frictional impulse under this normal impulse; 0 without a normal impulse, even if the coefficient is
+/// infinite.
+template <class T>
+REPOSE_FN T friction_limit(const T& coefficient, const T& normal_impulse) {
+  return choose(normal_impulse > 0.0, T(coefficient * normal_impulse), T{});
+}
+
+/// The change, reduced so that the impulse after it is at most `limit`. If it stays within the limit, it is returned to
+/// the bit.
+template <class T>
+REPOSE_FN T change_within(const T& impulse, const T& change, const T& limit) {
+  return smaller(larger(change, T(-limit - impulse)), T(limit - impulse));
+}
 
 /// Changes the normal and tangential impulse of a contact to those that solve it with all other contacts unchanged.
 /// Only the given fraction of the change of friction is applied. Adds the changes to `change`.
-template <int D, class Bodies>
-REPOSE_FN void relax_translation(const Bodies& among, double fraction, ContactLine<D>& c, Body<D>& a, Body<D>& b,
-                                 Impulse<D>& change) {
+template <int D, class T, class Bodies>
+REPOSE_FN void relax_translation(const Bodies& among, const T& fraction, ContactLine<D, T>& c, Body<D, T>& a,
+                                 Body<D, T>& b, Impulse<D, T>& change) {
   auto& p = c.impulse;
-  const double opening = opening_velocity(c, a, b) + c.normal_bias;
-  const Tangent<D> slip = slip_velocity(c, a, b) + c.tangent_bias;
-  const double normal = std::max(-p.normal, -c.normal_mass * opening);
+  const T opening = opening_velocity(c, a, b) + c.normal_bias;
+  const TangentOf<D, T> slip = slip_velocity(c, a, b) + c.tangent_bias;
+  const T normal = larger(T(-p.normal), T(-c.normal_mass * opening));
   p.normal += normal;
-  const Tangent<D> tangent =
-      change_within(p.tangent, Tangent<D>(slip * -c.tangent_mass), friction_limit(c.friction, p.normal)) * fraction;
+  const T limit = friction_limit(c.friction, p.normal);
+  const TangentOf<D, T> tangent = change_within(p.tangent, TangentOf<D, T>(slip * -c.tangent_mass), limit) * fraction;
   p.tangent += tangent;
   among.push(c, normal, tangent, a, b);
   change.normal += normal;
@@ -27,11 +41,12 @@ REPOSE_FN void relax_translation(const Bodies& among, double fraction, ContactLi
 }
 
 /// Does the same for the rolling impulse, at the present normal impulse.
-template <int D, class Bodies>
-REPOSE_FN void relax_roll(const Bodies& among, ContactLine<D>& c, Body<D>& a, Body<D>& b, Impulse<D>& change) {
+template <int D, class T, class Bodies>
+REPOSE_FN void relax_roll(const Bodies& among, ContactLine<D, T>& c, Body<D, T>& a, Body<D, T>& b,
+                          Impulse<D, T>& change) {
   auto& p = c.impulse;
-  const Spin<D> roll = change_within(p.roll, Spin<D>(roll_velocity(c, a, b) * -c.roll_mass),
-                                     friction_limit(c.rolling_friction, p.normal));
+  const T limit = friction_limit(c.rolling_friction, p.normal);
+  const SpinOf<D, T> roll = change_within(p.roll, SpinOf<D, T>(roll_velocity(c, a, b) * -c.roll_mass), limit);
   p.roll += roll;
   among.turn(c, roll, a, b);
   change.roll += roll;
