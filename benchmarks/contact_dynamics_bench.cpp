@@ -111,9 +111,12 @@ contact_dynamics::Problem<2> problem_of_bed(int count, bool rolling) {
 
 void one_by_one(benchmark::State& state) {
   auto problem = problem_of_bed(static_cast<int>(state.range(0)), state.range(1) != 0);
-  const contact_dynamics::LineSweeps<2> sweeps;
+  contact_dynamics::LineSweeps<2> sweeps;
   auto changes = sweeps.impulses(problem);
-  for (auto _ : state) sweeps.sweep_both_ways(problem, nullptr, changes);
+  contact_dynamics::History history;
+  history.change = changes.data();
+  const auto& kernels = contact_dynamics::kernels_of(contact_dynamics::fastest_instruction_set());
+  for (auto _ : state) sweeps.sweep_both_ways(problem, nullptr, {}, history, kernels);
   count_visits(state, problem.contacts.size(), 2.0);
 }
 
@@ -123,13 +126,15 @@ void packed(benchmark::State& state) {
   auto problem = problem_of_bed(static_cast<int>(state.range(0)), state.range(1) != 0);
   contact_dynamics::Packs packs;
   packs.build(problem);
-  AlignedDoubles impulses(packs.size() * contact_dynamics::pack_numbers);
+  AlignedDoubles impulses(packs.size() * packs.numbers());
   AlignedDoubles changes(impulses.size());
   packs.load(problem.contacts, impulses.data());
   problem.bodies.emplace_back();
-  for (auto _ : state) {
-    packs.sweep_both_ways(impulses.data(), problem.bodies.data(), changes.data(), nullptr, problem.rolling, set);
-  }
+  contact_dynamics::PackSweep sweep;
+  sweep.impulses = impulses.data();
+  sweep.bodies = problem.bodies.data();
+  sweep.history.change = changes.data();
+  for (auto _ : state) packs.sweep_both_ways(sweep, contact_dynamics::kernels_of(set));
   count_visits(state, problem.contacts.size(), 2.0);
   state.counters["filling"] = static_cast<double>(problem.contacts.size()) / static_cast<double>(8 * packs.size());
 }

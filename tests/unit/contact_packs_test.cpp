@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/core/aligned.hpp"
+#include "repose/methods/contact_dynamics/kernels.hpp"
 #include "repose/methods/contact_dynamics/packs.hpp"
 #include "repose/methods/contact_dynamics/relax.hpp"
 #include "repose/methods/contact_dynamics/solver.hpp"
@@ -9,18 +11,12 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace repose::contact_dynamics {
 namespace {
-
-struct alignas(64) Numbers {
-  double of[pack_numbers] = {};
-};
-struct alignas(64) Fractions {
-  double of[pack_lanes] = {};
-};
 
 /// The indices of the contacts in the order of their packs.
 std::vector<std::size_t> order_of(const Packs& packs) {
@@ -73,30 +69,35 @@ void compare_sweeps(const Problem<2>& problem, bool partly, InstructionSet set) 
   Packs packs;
   packs.build(problem);
   std::vector<double> fraction_of(problem.contacts.size(), 1.0);
-  std::vector<Fractions> fractions(packs.size());
+  AlignedDoubles fractions(packs.size() * pack_lanes);
   for (std::size_t pack = 0; pack < packs.size(); ++pack) {
     for (std::size_t lane = 0; lane < pack_lanes; ++lane) {
       const auto k = packs.contact(pack, lane);
       if (k == Packs::none) continue;
       if (partly) fraction_of[k] = 0.3 + 0.1 * static_cast<double>(k % 7);
-      fractions[pack].of[lane] = fraction_of[k];
+      fractions[pack * pack_lanes + lane] = fraction_of[k];
     }
   }
   auto expected = problem;
   std::vector<Impulse<2>> expected_changes;
   auto found = problem;
   found.bodies.emplace_back();
-  std::vector<Numbers> impulses(packs.size());
-  std::vector<Numbers> changes(packs.size());
-  packs.load(found.contacts, impulses.front().of);
-  for (int sweep = 0; sweep < 3; ++sweep) {
+  AlignedDoubles impulses(packs.size() * packs.numbers());
+  AlignedDoubles changes(impulses.size());
+  packs.load(found.contacts, impulses.data());
+  PackSweep sweep;
+  sweep.impulses = impulses.data();
+  sweep.bodies = found.bodies.data();
+  sweep.fractions = partly ? fractions.data() : nullptr;
+  sweep.history.change = changes.data();
+  for (int k = 0; k < 3; ++k) {
     sweep_one_by_one(expected, order_of(packs), fraction_of, expected_changes);
-    packs.sweep_both_ways(impulses.front().of, found.bodies.data(), changes.front().of,
-                          partly ? fractions.front().of : nullptr, problem.rolling, set);
+    packs.sweep_both_ways(sweep, kernels_of(set));
   }
-  packs.store(impulses.front().of, found.contacts);
+  packs.store(impulses.data(), found.contacts);
   auto found_changes = problem.contacts;
-  packs.store(changes.front().of, found_changes);
+  for (auto& c : found_changes) c.impulse = {};
+  packs.store(changes.data(), found_changes);
   for (std::size_t k = 0; k < problem.contacts.size(); ++k) {
     expect_same_bits(expected.contacts[k].impulse, found.contacts[k].impulse, "impulse " + std::to_string(k));
     expect_same_bits(expected_changes[k], found_changes[k].impulse, "change " + std::to_string(k));
@@ -117,6 +118,40 @@ TEST_P(PackedSweeps, GiveTheBitsOfContactsOneByOne) {
       for (const bool partly : {false, true}) {
         SCOPED_TRACE(std::to_string(contacts) + (rolling ? " rolling" : "") + (partly ? " partly" : ""));
         compare_sweeps(random_problem(3 + contacts / 2, contacts, rolling, ++seed), partly, GetParam());
+      }
+    }
+  }
+}
+
+/// The solution of a random problem after some sweeps, of each kind of sweep.
+Problem<2> solved(bool packed, bool accelerated, bool rolling, InstructionSet set) {
+  auto problem = random_problem(160, 300, rolling, 11);
+  for (std::size_t k = 0; k < problem.contacts.size(); k += 5) {
+    problem.contacts[k].friction = std::numeric_limits<double>::infinity();
+  }
+  SolverSettings settings;
+  settings.tolerance = 0.0;
+  settings.most_sweeps = 230;
+  settings.packed = packed;
+  settings.accelerated = accelerated;
+  settings.instructions = set;
+  Solver<2>(settings).solve(problem);
+  return problem;
+}
+
+TEST_P(PackedSweeps, TheWholeSolverHasTheSameBits) {
+  if (!has(GetParam())) GTEST_SKIP() << "this machine lacks the instructions";
+  for (const bool packed : {false, true}) {
+    for (const bool accelerated : {false, true}) {
+      for (const bool rolling : {false, true}) {
+        const auto expected = solved(packed, accelerated, rolling, InstructionSet::baseline);
+        const auto found = solved(packed, accelerated, rolling, GetParam());
+        for (std::size_t k = 0; k < expected.contacts.size(); ++k) {
+          expect_same_bits(expected.contacts[k].impulse, found.contacts[k].impulse, "impulse " + std::to_string(k));
+        }
+        for (std::size_t k = 0; k < expected.bodies.size(); ++k) {
+          expect_same_bits(expected.bodies[k], found.bodies[k], "body " + std::to_string(k));
+        }
       }
     }
   }
@@ -183,11 +218,11 @@ TEST(ContactPacks, ImpulsesThereAndBack) {
   const auto problem = random_problem(60, 101, true, 3);
   Packs packs;
   packs.build(problem);
-  std::vector<Numbers> impulses(packs.size());
-  packs.load(problem.contacts, impulses.front().of);
+  AlignedDoubles impulses(packs.size() * packs.numbers());
+  packs.load(problem.contacts, impulses.data());
   auto back = problem.contacts;
   for (auto& c : back) c.impulse = {-1.0, -1.0, -1.0};
-  packs.store(impulses.front().of, back);
+  packs.store(impulses.data(), back);
   for (std::size_t k = 0; k < back.size(); ++k) {
     expect_same_bits(problem.contacts[k].impulse, back[k].impulse, "impulse " + std::to_string(k));
   }

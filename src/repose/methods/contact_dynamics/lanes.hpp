@@ -69,6 +69,10 @@ REPOSE_FN T dot(const LanesVec<T>& a, const LanesVec<T>& b) {
   return a.x * b.x + a.y * b.y;
 }
 template <class T>
+REPOSE_FN T inner(const T& a, const T& b) {
+  return a * b;
+}
+template <class T>
 REPOSE_FN T tangential(const LanesVec<T>& a, const LanesVec<T>& n) {
   return a.y * n.x - a.x * n.y;
 }

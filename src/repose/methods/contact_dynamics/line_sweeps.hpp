@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/aligned.hpp"
+#include "repose/methods/contact_dynamics/kernels.hpp"
 #include "repose/methods/contact_dynamics/relax.hpp"
+#include "repose/methods/contact_dynamics/self_stress.hpp"
 
 #include <cstddef>
-#include <vector>
+#include <cstring>
 
 namespace repose::contact_dynamics {
 
@@ -14,32 +17,20 @@ namespace repose::contact_dynamics {
 template <int D>
 class LineSweeps {
  public:
-  /// One entry per contact.
-  using Impulses = std::vector<Impulse<D>>;
-
   /// Call this when the velocities of the bodies agree with the impulses of the contacts.
-  void begin(Problem<D>&) {}
+  void begin(Problem<D>& problem) { starts_.assign(padded(problem), 0.0); }
 
-  /// The number of contacts for which impulses have entries.
+  /// The number of contacts.
   std::size_t slots(const Problem<D>& problem) const { return problem.contacts.size(); }
   bool pressed(const Problem<D>& problem, std::size_t slot) const {
     return problem.contacts[slot].impulse.normal > 0.0;
   }
 
-  Impulses impulses(const Problem<D>& problem) const {
-    Impulses all;
-    all.reserve(problem.contacts.size());
-    for (const auto& c : problem.contacts) all.push_back(c.impulse);
+  /// The numbers of the impulses, contact by contact, padded with zeros to whole cache lines.
+  AlignedDoubles impulses(const Problem<D>& problem) const {
+    AlignedDoubles all(padded(problem), 0.0);
+    for (std::size_t k = 0; k < problem.contacts.size(); ++k) put(problem.contacts[k].impulse, k, all.data());
     return all;
-  }
-
-  /// Sets the impulses to base + change.
-  void set(const Impulses& base, const Impulses& change, Problem<D>& problem) const {
-    for (std::size_t k = 0; k < problem.contacts.size(); ++k) {
-      auto& impulse = problem.contacts[k].impulse;
-      impulse = base[k];
-      impulse += change[k];
-    }
   }
 
   /// Copies the impulses to the contacts of the problem, which hold them already.
@@ -47,26 +38,52 @@ class LineSweeps {
 
   /// Calls visit(contact, impulse, change) for each contact.
   template <class Visit>
-  void for_each(const Problem<D>& problem, const Impulses& changes, const Visit& visit) const {
+  void for_each(const Problem<D>& problem, const AlignedDoubles& changes, const Visit& visit) const {
     for (std::size_t k = 0; k < problem.contacts.size(); ++k) {
-      visit(problem.contacts[k], problem.contacts[k].impulse, changes[k]);
+      visit(problem.contacts[k], problem.contacts[k].impulse, at(k, changes.data()));
     }
   }
 
-  /// Relaxes all contacts, first to last and back. `changes` gets the sum of the changes of both directions.
-  /// `fractions` has the fraction of the change of friction that is applied, for each contact; nullptr: the whole
-  /// change.
-  void sweep_both_ways(Problem<D>& problem, const double* fractions, Impulses& changes) const {
+  /// The sum of the separate energies of changes.
+  double separate_energy(const Problem<D>& problem, const AlignedDoubles& changes, const Kernels&) const {
+    double sum = 0.0;
+    for_each(problem, changes, [&](const auto& c, const auto&, const auto& change) {
+      sum += contact_dynamics::separate_energy(c, change);
+    });
+    return sum;
+  }
+
+  /// Sets the impulses to `start` and relaxes all contacts, first to last and back. The change in `history` gets the
+  /// sum of the changes of both directions; nullptr: they are not recorded. `fractions` has the fraction of the change
+  /// of friction that is applied, for each contact; nullptr: the whole change.
+  void sweep_both_ways(Problem<D>& problem, const double* fractions, const Start& start, const History& history,
+                       const Kernels& kernels) {
+    if (start.kind != Start::Kind::here) {
+      kernels.start_impulses(start, history, starts_.data(), starts_.size());
+      for (std::size_t k = 0; k < problem.contacts.size(); ++k) problem.contacts[k].impulse = at(k, starts_.data());
+    }
     const auto sweep = [&](const auto& among) {
-      problem.rolling ? sweep_both_ways<true>(among, problem, fractions, changes)
-                      : sweep_both_ways<false>(among, problem, fractions, changes);
+      problem.rolling ? sweep_both_ways<true>(among, problem, fractions, history.change)
+                      : sweep_both_ways<false>(among, problem, fractions, history.change);
     };
     problem.pistons ? sweep(problem.with_pistons()) : sweep(FreeBodies{});
   }
 
  private:
+  static constexpr std::size_t numbers = sizeof(Impulse<D>) / sizeof(double);  // of an impulse
+
+  static std::size_t padded(const Problem<D>& problem) { return (problem.contacts.size() * numbers + 7) / 8 * 8; }
+  static Impulse<D> at(std::size_t contact, const double* all) {
+    Impulse<D> impulse;
+    std::memcpy(static_cast<void*>(&impulse), all + contact * numbers, sizeof impulse);
+    return impulse;
+  }
+  static void put(const Impulse<D>& impulse, std::size_t contact, double* all) {
+    std::memcpy(all + contact * numbers, &impulse, sizeof impulse);
+  }
+
   template <bool Rolling, class Bodies>
-  static void sweep_both_ways(const Bodies& among, Problem<D>& problem, const double* fractions, Impulses& changes) {
+  static void sweep_both_ways(const Bodies& among, Problem<D>& problem, const double* fractions, double* changes) {
     auto* bodies = problem.bodies.data();
     const auto count = problem.contacts.size();
     const auto fraction = [&](std::size_t k) { return fractions ? fractions[k] : 1.0; };
@@ -75,14 +92,18 @@ class LineSweeps {
       Impulse<D> change;
       relax_translation(among, fraction(k), c, bodies[c.first], bodies[c.second], change);
       if constexpr (Rolling) relax_roll(among, c, bodies[c.first], bodies[c.second], change);
-      changes[k] = change;
+      if (changes) put(change, k, changes);
     }
     for (std::size_t k = count; k-- > 0;) {
       auto& c = problem.contacts[k];
-      if constexpr (Rolling) relax_roll(among, c, bodies[c.first], bodies[c.second], changes[k]);
-      relax_translation(among, fraction(k), c, bodies[c.first], bodies[c.second], changes[k]);
+      auto change = changes ? at(k, changes) : Impulse<D>{};
+      if constexpr (Rolling) relax_roll(among, c, bodies[c.first], bodies[c.second], change);
+      relax_translation(among, fraction(k), c, bodies[c.first], bodies[c.second], change);
+      if (changes) put(change, k, changes);
     }
   }
+
+  AlignedDoubles starts_;  // impulses at the start of a sweep
 };
 
 }  // namespace repose::contact_dynamics

@@ -1,19 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The sweep over packs, for the instruction set that the including source is compiled for. Everything is local to that
-// source, and of other headers it calls only functions that are always inlined: the linker keeps one copy of an inline
-// function, and that copy must not contain instructions that the machine lacks.
+// The sweep over packs, for the instruction set that the including source is compiled for (see vectors.hpp).
 #pragma once
 
-#include "repose/methods/contact_dynamics/pack_sweep.hpp"
+#include "repose/methods/contact_dynamics/kernels.hpp"
 #include "repose/methods/contact_dynamics/relax.hpp"
+#include "repose/methods/contact_dynamics/self_stress.hpp"
+#include "repose/methods/contact_dynamics/vectors.hpp"
 
 #if defined(__AVX512F__)
 #pragma GCC diagnostic push
+// g++ 12 warns about values that its header leaves undefined on purpose.
+#pragma GCC diagnostic ignored "-Wuninitialized"
 #if !defined(__clang__)
-#pragma GCC diagnostic ignored \
-    "-Wmaybe-uninitialized"  // g++ 12 warns about values that its header leaves undefined on purpose
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 #include <immintrin.h>
 #pragma GCC diagnostic pop
@@ -24,20 +25,6 @@
 
 namespace repose::contact_dynamics {
 namespace {
-
-#if defined(__AVX512F__)
-constexpr std::size_t width = 8;
-#elif defined(__AVX2__)
-constexpr std::size_t width = 4;
-#else
-constexpr std::size_t width = 2;
-#endif
-
-using Lanes = double __attribute__((vector_size(8 * width)));
-using LanesInMemory = double __attribute__((vector_size(8 * width), may_alias));
-
-REPOSE_FN LanesInMemory& lanes(double* p) { return *reinterpret_cast<LanesInMemory*>(p); }
-REPOSE_FN Lanes lanes(const double* p) { return *reinterpret_cast<const LanesInMemory*>(p); }
 
 using LanesBody = Body<2, Lanes>;
 
@@ -134,10 +121,11 @@ REPOSE_FN void scatter(const LanesBody& from, Body<2>* of, const std::uint32_t* 
 }
 #endif
 
+template <bool Rolling>
 REPOSE_FN void read(const double* from, Impulse<2, Lanes>& to) {
   to.normal = lanes(from);
   to.tangent = lanes(from + pack_lanes);
-  to.roll = lanes(from + 2 * pack_lanes);
+  if constexpr (Rolling) to.roll = lanes(from + 2 * pack_lanes);
 }
 
 template <bool Rolling>
@@ -162,21 +150,31 @@ REPOSE_FN void read(const ContactPack& pack, std::size_t lane, ContactLine<2, La
   to.first_turn = lanes(pack.first_turn + lane);
 }
 
-/// The forward direction begins the sum of the changes at zero; the backward direction continues it.
-template <bool Partly, bool Rolling, bool Back>
-REPOSE_FN void relax(const PackSweep& s, std::size_t pack) {
+/// The impulse of some lanes at the start of a sweep; `at` is their first entry.
+template <Start::Kind Kind, std::size_t Others, bool Rolling>
+REPOSE_FN void start_impulse(const Start& start, const History& of, std::size_t at, Impulse<2, Lanes>& to) {
+  to.normal = start_lanes<Kind, Others>(start, of, at);
+  to.tangent = start_lanes<Kind, Others>(start, of, at + pack_lanes);
+  if constexpr (Rolling) to.roll = start_lanes<Kind, Others>(start, of, at + 2 * pack_lanes);
+}
+
+/// The forward direction begins the sums of the changes at zero; the backward direction continues them.
+template <Start::Kind Kind, std::size_t Others, bool Rolling, bool Recorded, bool Back>
+REPOSE_FN void relax(const PackSweep& s, const Start& start, const History& history, std::size_t pack) {
   const FreeBodies among;
   const ContactPack& in = s.packs[pack];
   for (std::size_t lane = 0; lane < pack_lanes; lane += width) {
-    double* impulse = s.impulses + pack_numbers * pack + lane;
-    double* sum = s.changes + pack_numbers * pack + lane;
-    Lanes fraction = Lanes{} + 1.0;
-    if constexpr (Partly) fraction = lanes(s.fractions + pack_lanes * pack + lane);
+    const std::size_t at = pack_numbers(Rolling) * pack + lane;
+    const Lanes fraction = s.fractions ? lanes(s.fractions + pack_lanes * pack + lane) : Lanes{} + 1.0;
     ContactLine<2, Lanes> c;
     read(in, lane, c);
-    read(impulse, c.impulse);
+    if constexpr (Kind == Start::Kind::here) {
+      read<Rolling>(s.impulses + at, c.impulse);
+    } else {
+      start_impulse<Kind, Others, Rolling>(start, history, at, c.impulse);
+    }
     Impulse<2, Lanes> change;
-    if constexpr (Back) read(sum, change);
+    if constexpr (Recorded && Back) read<Rolling>(history.change + at, change);
     LanesBody a, b;
     gather(s.bodies, in.first + lane, a);
     gather(s.bodies, in.second + lane, b);
@@ -185,24 +183,66 @@ REPOSE_FN void relax(const PackSweep& s, std::size_t pack) {
     if constexpr (Rolling && !Back) relax_roll(among, c, a, b, change);
     scatter(a, s.bodies, in.first + lane);
     scatter(b, s.bodies, in.second + lane);
-    write<Rolling>(c.impulse, impulse);
-    write<Rolling>(change, sum);
+    write<Rolling>(c.impulse, s.impulses + at);
+    if constexpr (Recorded) write<Rolling>(change, history.change + at);
   }
 }
 
-template <bool Partly, bool Rolling>
-void sweep_packs(const PackSweep& sweep) {
+template <Start::Kind Kind, std::size_t Others, bool Rolling, bool Recorded, bool Back>
+void sweep_packs(const PackSweep& sweep, Range packs) {
   const PackSweep s = sweep;
-  for (std::size_t pack = 0; pack < s.count; ++pack) relax<Partly, Rolling, false>(s, pack);
-  for (std::size_t pack = s.count; pack-- > 0;) relax<Partly, Rolling, true>(s, pack);
+  const auto one = [&](std::size_t pack) { relax<Kind, Others, Rolling, Recorded, Back>(s, s.start, s.history, pack); };
+  if constexpr (Back) {
+    for (std::size_t pack = packs.end; pack-- > packs.begin;) one(pack);
+  } else {
+    for (std::size_t pack = packs.begin; pack < packs.end; ++pack) one(pack);
+  }
 }
 
-void sweep_packs(const PackSweep& s) {
-  if (s.fractions) {
-    s.rolling ? sweep_packs<true, true>(s) : sweep_packs<true, false>(s);
-  } else {
-    s.rolling ? sweep_packs<false, true>(s) : sweep_packs<false, false>(s);
+void sweep_forward(const PackSweep& sweep, Range packs) {
+  constexpr auto here = Start::Kind::here;
+  if (!sweep.history.change) {
+    sweep.rolling ? sweep_packs<here, 0, true, false, false>(sweep, packs)
+                  : sweep_packs<here, 0, false, false, false>(sweep, packs);
+    return;
   }
+  with_kind(sweep.start, [&]<Start::Kind Kind, std::size_t Others>() {
+    sweep.rolling ? sweep_packs<Kind, Others, true, true, false>(sweep, packs)
+                  : sweep_packs<Kind, Others, false, true, false>(sweep, packs);
+  });
+}
+
+void sweep_back(const PackSweep& sweep, Range packs) {
+  constexpr auto here = Start::Kind::here;
+  if (sweep.history.change) {
+    sweep.rolling ? sweep_packs<here, 0, true, true, true>(sweep, packs)
+                  : sweep_packs<here, 0, false, true, true>(sweep, packs);
+  } else {
+    sweep.rolling ? sweep_packs<here, 0, true, false, true>(sweep, packs)
+                  : sweep_packs<here, 0, false, false, true>(sweep, packs);
+  }
+}
+
+template <bool Rolling>
+double separate_energies(const ContactPack* packs, const double* changes, std::size_t count) {
+  double sum = 0.0;
+  for (std::size_t pack = 0; pack < count; ++pack) {
+    for (std::size_t lane = 0; lane < pack_lanes; lane += width) {
+      ContactLine<2, Lanes> c;
+      read(packs[pack], lane, c);
+      Impulse<2, Lanes> change;
+      read<Rolling>(changes + pack_numbers(Rolling) * pack + lane, change);
+      if constexpr (!Rolling) c.roll_mass = c.normal_mass;
+      // Unused lanes have no mass.
+      const Lanes energy = choose(c.normal_mass > 0.0, separate_energy(c, change), Lanes{});
+      for (std::size_t l = 0; l < width; ++l) sum += energy[l];
+    }
+  }
+  return sum;
+}
+
+double separate_energies(const ContactPack* packs, const double* changes, bool rolling, std::size_t count) {
+  return rolling ? separate_energies<true>(packs, changes, count) : separate_energies<false>(packs, changes, count);
 }
 
 }  // namespace

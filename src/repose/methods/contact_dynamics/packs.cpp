@@ -3,7 +3,7 @@
 #include "repose/methods/contact_dynamics/packs.hpp"
 
 #include "repose/core/errors.hpp"
-#include "repose/methods/contact_dynamics/pack_sweep.hpp"
+#include "repose/methods/contact_dynamics/kernels.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -38,24 +38,6 @@ void put(const ContactLine<2>& c, std::size_t lane, ContactPack& pack) {
 std::uint64_t with_neighbours(std::uint64_t packs) { return packs | std::rotl(packs, 1) | std::rotr(packs, 1); }
 
 }  // namespace
-
-bool has([[maybe_unused]] InstructionSet set) {
-#if defined(__x86_64__)
-  if (set == InstructionSet::avx2) return __builtin_cpu_supports("avx2");
-  if (set == InstructionSet::avx512) {
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-           __builtin_cpu_supports("avx512vl");
-  }
-#endif
-  return set == InstructionSet::baseline;
-}
-
-InstructionSet fastest_instruction_set() {
-  static const InstructionSet fastest = has(InstructionSet::avx512) ? InstructionSet::avx512
-                                        : has(InstructionSet::avx2) ? InstructionSet::avx2
-                                                                    : InstructionSet::baseline;
-  return fastest;
-}
 
 /// Puts each contact into the oldest open pack that contains none of its moving bodies.
 class Packs::Builder {
@@ -169,41 +151,44 @@ class Packs::Builder {
 
 void Packs::build(const Problem<2>& problem) {
   REPOSE_ASSERT(!problem.pistons);
+  rolling_ = problem.rolling;
   Builder builder(*this, problem);
   builder.add_all();
   builder.finish();
 }
 
 void Packs::load(const std::vector<ContactLine<2>>& contacts, double* impulses) const {
-  std::fill_n(impulses, pack_numbers * size(), 0.0);
-  for (std::size_t pack = 0; pack < size(); ++pack, impulses += pack_numbers) {
+  std::fill_n(impulses, numbers() * size(), 0.0);
+  for (std::size_t pack = 0; pack < size(); ++pack, impulses += numbers()) {
     for (std::size_t lane = 0; lane < pack_lanes && contact(pack, lane) != none; ++lane) {
       const auto& impulse = contacts[contact(pack, lane)].impulse;
       impulses[lane] = impulse.normal;
       impulses[pack_lanes + lane] = impulse.tangent;
-      impulses[2 * pack_lanes + lane] = impulse.roll;
+      if (rolling_) impulses[2 * pack_lanes + lane] = impulse.roll;
     }
   }
 }
 
 void Packs::store(const double* impulses, std::vector<ContactLine<2>>& contacts) const {
-  for (std::size_t pack = 0; pack < size(); ++pack, impulses += pack_numbers) {
+  for (std::size_t pack = 0; pack < size(); ++pack, impulses += numbers()) {
     for (std::size_t lane = 0; lane < pack_lanes && contact(pack, lane) != none; ++lane) {
-      contacts[contact(pack, lane)].impulse = {impulses[lane], impulses[pack_lanes + lane],
-                                               impulses[2 * pack_lanes + lane]};
+      auto& impulse = contacts[contact(pack, lane)].impulse;
+      impulse.normal = impulses[lane];
+      impulse.tangent = impulses[pack_lanes + lane];
+      if (rolling_) impulse.roll = impulses[2 * pack_lanes + lane];
     }
   }
 }
 
-void Packs::sweep_both_ways(double* impulses, Body<2>* bodies, double* changes, const double* fractions, bool rolling,
-                            InstructionSet set) const {
-  const PackSweep sweep{packs_.data(), packs_.size(), impulses, bodies, changes, fractions, rolling};
-#if defined(__x86_64__)
-  if (set == InstructionSet::avx512) return sweep_avx512(sweep);
-  if (set == InstructionSet::avx2) return sweep_avx2(sweep);
-#endif
-  REPOSE_ASSERT(set == InstructionSet::baseline);
-  sweep_baseline(sweep);
+void Packs::sweep_both_ways(PackSweep sweep, const Kernels& kernels) const {
+  sweep.packs = packs_.data();
+  sweep.rolling = rolling_;
+  kernels.sweep_forward(sweep, {0, packs_.size()});
+  kernels.sweep_back(sweep, {0, packs_.size()});
+}
+
+double Packs::separate_energy(const double* changes, const Kernels& kernels) const {
+  return kernels.separate_energy(packs_.data(), changes, rolling_, packs_.size());
 }
 
 }  // namespace repose::contact_dynamics

@@ -14,8 +14,9 @@ namespace repose::contact_dynamics {
 
 /// The number of contacts in a pack: that of doubles in the widest registers.
 inline constexpr std::size_t pack_lanes = 8;
-/// The number of entries of a pack in impulses and in changes: normal of all lanes, then tangent, then roll.
-inline constexpr std::size_t pack_numbers = 3 * pack_lanes;
+/// The number of entries of a pack in impulses and in changes: normal of all lanes, then tangent, then roll if any
+/// contact resists rolling.
+REPOSE_FN constexpr std::size_t pack_numbers(bool rolling) { return (rolling ? 3 : 2) * pack_lanes; }
 
 /// Contacts without a common moving body, property by property: the fields of ContactLine without the impulse. Unused
 /// lanes are zero and refer to a body that never moves.
@@ -31,10 +32,8 @@ struct alignas(64) ContactPack {
 };
 static_assert(sizeof(ContactPack) == 12 * 64);
 
-/// The instructions that a sweep uses. The results are the same to the bit.
-enum class InstructionSet { baseline, avx2, avx512 };
-bool has(InstructionSet set);
-InstructionSet fastest_instruction_set();
+struct Kernels;
+struct PackSweep;
 
 /// The contacts of a problem in packs, each relaxed at once. A sweep over packs gives the same bits as one over the
 /// single contacts in the same order.
@@ -50,15 +49,20 @@ class Packs {
   std::size_t contact(std::size_t pack, std::size_t lane) const { return contacts_[pack][lane]; }
   const ContactPack& operator[](std::size_t pack) const { return packs_[pack]; }
 
-  /// Impulses and changes: `pack_numbers` for each pack, aligned to 64 bytes; 0 in unused lanes.
+  /// Impulses and changes: `numbers()` for each pack, aligned to 64 bytes; 0 in unused lanes. Without rolling
+  /// resistance, rolling impulses stay as they are.
+  std::size_t numbers() const { return pack_numbers(rolling_); }
   void load(const std::vector<ContactLine<2>>& contacts, double* impulses) const;
   void store(const double* impulses, std::vector<ContactLine<2>>& contacts) const;
 
-  /// Relaxes all packs, first to last and back, the second time in mirrored order. `bodies` has one more body than the
-  /// problem, with inverse mass 0. `changes` gets the sum of the changes of both directions. `fractions` has, for each
-  /// lane, the fraction of the change of friction that is applied, aligned to 64 bytes; nullptr: the whole change.
-  void sweep_both_ways(double* impulses, Body<2>* bodies, double* changes, const double* fractions, bool rolling,
-                       InstructionSet set = fastest_instruction_set()) const;
+  /// Relaxes all packs, first to last and back, the second time in mirrored order. The bodies of the sweep have one
+  /// more body than the problem, with inverse mass 0. The change in its history gets the sum of the changes of both
+  /// directions. Its packs are set here, and whether
+  /// they roll.
+  void sweep_both_ways(PackSweep sweep, const Kernels& kernels) const;
+
+  /// The sum of the separate energies of changes, contact by contact in the order of the packs.
+  double separate_energy(const double* changes, const Kernels& kernels) const;
 
  private:
   class Builder;
@@ -68,6 +72,7 @@ class Packs {
         moves;  // all bits if the body moves, else none: a body that never moves may be in any number of packs
   };
 
+  bool rolling_ = true;
   std::vector<ContactPack> packs_;
   std::vector<std::array<std::uint32_t, pack_lanes>> contacts_;
   std::vector<Presence> presence_;  // one entry per body

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "repose/core/aligned.hpp"
+#include "repose/methods/contact_dynamics/instruction_set.hpp"
+#include "repose/methods/contact_dynamics/kernels.hpp"
 #include "repose/methods/contact_dynamics/problem.hpp"
 #include "repose/methods/contact_dynamics/yielding.hpp"
 
@@ -17,6 +19,7 @@ struct SolverSettings {
   long most_sweeps = 2000;  ///< largest number of sweeps, each forward and backward
   bool accelerated = true;  ///< conjugate residuals; otherwise sweeps alone
   bool packed = true;       ///< discs: eight contacts at a time in an order of their own; otherwise one by one
+  InstructionSet instructions = fastest_instruction_set();
 };
 
 /// The cost and accuracy of a solution.
@@ -27,12 +30,9 @@ struct Solution {
 };
 
 /// The impulses of all contacts and the velocities that they produce: a point, or a step between two points.
-template <class Impulses>
 struct Point {
-  Impulses impulses;
-  AlignedDoubles motions;  ///< velocities and rim velocities, body by body, padded with zeros to whole cache lines
-
-  void add(double factor, const Point& other);
+  AlignedDoubles impulses;  ///< as the sweeps number them
+  AlignedDoubles motions;   ///< as in Motions
 };
 
 /// Solves a contact problem by symmetric sweeps of nonlinear Gauss-Seidel, starting from the impulses of the contacts.
@@ -51,58 +51,51 @@ struct Point {
 template <int D, class Sweeps>
 class Search {
  public:
-  explicit Search(const SolverSettings& settings) : settings_(settings) {}
+  explicit Search(const SolverSettings& settings) : settings_(settings), kernels_(kernels_of(settings.instructions)) {}
 
   Solution solve(Problem<D>& problem);
 
  private:
-  using Step = Point<typename Sweeps::Impulses>;
-
   /// Two is one more than a symmetric map needs; it reduces the effect of rounding and of sliding contacts.
   static constexpr std::size_t most_remembered = 2;
-
-  /// The coefficients with which a step and its image are made orthogonal to others, scaled and applied.
-  struct Combination {
-    std::array<std::size_t, most_remembered> others{};
-    std::array<double, most_remembered> along_others{};
-    double factor = 1.0;
-    double along = 0.0;
-    std::size_t slot = 0;
-  };
+  static_assert(most_remembered == Start::most_others);
 
   void begin(Problem<D>& problem);
   void sweep(Problem<D>& problem, long sweeps);
-  void take_change(const Problem<D>& problem);
+  void take_change(Problem<D>& problem);
   bool check_is_due(const Solution& solution, double enough) const;
   bool small_enough(const Problem<D>& problem, Solution& solution);
   void correct_velocities(const Problem<D>& problem);
-  void combine();
-  template <std::size_t Others>
-  void combine_impulses(const Combination& by);
-  void restart(double square);
-  double drift(const Problem<D>& problem, double square);
+  void combine(Problem<D>& problem);
+  void restart();
+  double drift(const Problem<D>& problem);
   bool leap(const Problem<D>& problem);
-  void apply_prediction(Problem<D>& problem);
-  double product(const Step& a, const Step& b) const;
+  History history(AlignedDoubles Point::*numbers);
+  Motions<D> motions(Problem<D>& problem);
+  Range all_motions() const { return {0, weights_.size()}; }
 
   SolverSettings settings_;
+  const Kernels& kernels_;
   Sweeps sweeps_;
   Yielding yielding_;
-  bool yields_ = false;                          // whether any friction is infinite
-  AlignedDoubles weights_;                       // of velocities in twice the kinetic energy; 0 for fixed bodies
-  Step base_;                                    // the point at which the next change is predicted
-  Step predicted_;                               // the predicted change
-  Step change_;                                  // the change of the last sweep
-  std::array<Step, most_remembered + 1> step_;   // remembered steps, whose images are orthonormal
-  std::array<Step, most_remembered + 1> image_;  // the decrease of the change by each step
+  bool yields_ = false;                       // whether any friction is infinite
+  AlignedDoubles weights_;                    // of velocities in twice the kinetic energy; 0 for fixed bodies
+  Point base_;                                // the point at which the next change is predicted
+  Point predicted_;                           // the predicted change
+  Point change_;                              // the change of the last sweep
+  std::array<Point, most_remembered> step_;   // remembered steps, whose images are orthonormal; a new one takes the
+                                              // place of the oldest, number by number after that has been used
+  std::array<Point, most_remembered> image_;  // the decrease of the change by each step
   std::size_t remembered_ = 0;
   std::size_t newest_ = 0;
+  Start start_;                 // of the next sweep
+  Taken taken_;                 // by the last sweep
   long restarts_in_a_row_ = 0;  // consecutive restarts
   double predicted_square_ = 0.0;
-  typename Sweeps::Impulses difference_;  // working memory
-  std::vector<Impulse<D>> best_;          // impulses with the least residual so far
-  bool leapt_ = false;                    // whether the search leapt since velocities were last corrected
-  long next_check_ = 0;                   // sweep before which the residual is not computed again
+  AlignedDoubles difference_;     // working memory
+  std::vector<Impulse<D>> best_;  // impulses with the least residual so far
+  bool leapt_ = false;            // whether the search leapt since velocities were last corrected
+  long next_check_ = 0;           // sweep before which the residual is not computed again
   std::vector<Body<D>> scratch_;
 };
 

@@ -42,10 +42,10 @@ double largest_multiple(const ContactLine<D>& c, const Impulse<D>& p, const Impu
 
 /// Twice the kinetic energy [M L^2/T^2] that a change of impulse gives if it acts on its contact alone. The sum over
 /// contacts is the reference for the kinetic energy of all changes together.
-template <int D>
-double separate_energy(const ContactLine<D>& c, const Impulse<D>& change) {
-  return change.normal * change.normal / c.normal_mass + repose::squared(change.tangent) / c.tangent_mass +
-         repose::squared(change.roll) / c.roll_mass;
+template <int D, class T>
+REPOSE_FN T separate_energy(const ContactLine<D, T>& c, const Impulse<D, T>& change) {
+  return change.normal * change.normal / c.normal_mass + inner(change.tangent, change.tangent) / c.tangent_mass +
+         inner(change.roll, change.roll) / c.roll_mass;
 }
 
 }  // namespace repose::contact_dynamics
