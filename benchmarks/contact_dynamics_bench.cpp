@@ -116,7 +116,8 @@ void one_by_one(benchmark::State& state) {
   contact_dynamics::History history;
   history.change = changes.data();
   const auto& kernels = contact_dynamics::kernels_of(contact_dynamics::fastest_instruction_set());
-  for (auto _ : state) sweeps.sweep_both_ways(problem, nullptr, {}, history, kernels);
+  Team alone(1);
+  for (auto _ : state) sweeps.sweep_both_ways(problem, nullptr, {}, history, kernels, alone);
   count_visits(state, problem.contacts.size(), 2.0);
 }
 
@@ -129,12 +130,13 @@ void packed(benchmark::State& state) {
   AlignedDoubles impulses(packs.size() * packs.numbers());
   AlignedDoubles changes(impulses.size());
   packs.load(problem.contacts, impulses.data());
-  problem.bodies.emplace_back();
+  packs.add_bodies(problem.bodies);
+  Team alone(1);
   contact_dynamics::PackSweep sweep;
   sweep.impulses = impulses.data();
   sweep.bodies = problem.bodies.data();
   sweep.history.change = changes.data();
-  for (auto _ : state) packs.sweep_both_ways(sweep, contact_dynamics::kernels_of(set));
+  for (auto _ : state) packs.sweep_both_ways(sweep, contact_dynamics::kernels_of(set), alone);
   count_visits(state, problem.contacts.size(), 2.0);
   state.counters["filling"] = static_cast<double>(problem.contacts.size()) / static_cast<double>(8 * packs.size());
 }

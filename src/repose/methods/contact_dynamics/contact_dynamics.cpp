@@ -51,7 +51,7 @@ ContactDynamics<D>::ContactDynamics(ImpulseLaws laws, ContactDynamicsSettings<D>
 template <int D>
 bool ContactDynamics<D>::step(Grains<D>& grains, Team& team) {
   pose(grains, team);
-  solve();
+  solve(team);
   add_reactions(grains);
   const bool fine = move(grains);
   contact_dynamics::name_walls(problem_);
@@ -215,8 +215,8 @@ void ContactDynamics<D>::collide(const Grains<D>& grains) {
 }
 
 template <int D>
-void ContactDynamics<D>::solve() {
-  solution_ = solver_.solve(problem_);
+void ContactDynamics<D>::solve(Team& team) {
+  solution_ = solver_.solve(problem_, team);
   const auto without_recovery = [&] {
     auto plain = problem_;
     for (auto& c : plain.contacts) c.normal_bias = std::max(0.0, c.normal_bias);
@@ -226,7 +226,7 @@ void ContactDynamics<D>::solve() {
     // Where friction jams an overlapping grain, no impulses may push it out.
     problem_ = without_recovery();
     for (auto& c : problem_.contacts) c.impulse = {};
-    const auto again = solver_.solve(problem_);
+    const auto again = solver_.solve(problem_, team);
     solution_ = {solution_.sweeps + again.sweeps, again.residual, again.converged};
   }
   advancing_ = problem_.bodies;
@@ -235,7 +235,7 @@ void ContactDynamics<D>::solve() {
     auto plain = without_recovery();
     const auto recovers = [](const auto& c) { return c.normal_bias < 0.0; };
     if (std::any_of(problem_.contacts.begin(), problem_.contacts.end(), recovers)) {
-      account_.sweeps += solver_.solve(plain).sweeps;
+      account_.sweeps += solver_.solve(plain, team).sweeps;
     }
     contact_dynamics::take_back_gains(plain);
     problem_.bodies = plain.bodies;

@@ -58,7 +58,7 @@ class ContactDynamics final : public Method<D> {
   void find_contacts(const Grains<D>& grains);
   void forget_impulses(const Grains<D>& grains);
   void collide(const Grains<D>& grains);
-  void solve();
+  void solve(Team& team);
   bool move(Grains<D>& grains);
   contact_dynamics::StepTimes times() const;
   contact_dynamics::Impulse<D> impulse_of(std::size_t contact) const;

@@ -20,6 +20,9 @@ class LineSweeps {
   /// Call this when the velocities of the bodies agree with the impulses of the contacts.
   void begin(Problem<D>& problem) { starts_.assign(padded(problem), 0.0); }
 
+  /// One thread does all: each contact depends on the one before it.
+  std::size_t parts(const Problem<D>&) const { return 1; }
+
   /// The number of contacts.
   std::size_t slots(const Problem<D>& problem) const { return problem.contacts.size(); }
   bool pressed(const Problem<D>& problem, std::size_t slot) const {
@@ -57,7 +60,7 @@ class LineSweeps {
   /// sum of the changes of both directions; nullptr: they are not recorded. `fractions` has the fraction of the change
   /// of friction that is applied, for each contact; nullptr: the whole change.
   void sweep_both_ways(Problem<D>& problem, const double* fractions, const Start& start, const History& history,
-                       const Kernels& kernels) {
+                       const Kernels& kernels, Team&) {
     if (start.kind != Start::Kind::here) {
       kernels.start_impulses(start, history, starts_.data(), starts_.size());
       for (std::size_t k = 0; k < problem.contacts.size(); ++k) problem.contacts[k].impulse = at(k, starts_.data());

@@ -4,6 +4,7 @@
 
 #include "repose/core/aligned.hpp"
 #include "repose/methods/contact_dynamics/kernels.hpp"
+#include "repose/methods/contact_dynamics/pack_groups.hpp"
 #include "repose/methods/contact_dynamics/packs.hpp"
 
 #include <cstddef>
@@ -14,13 +15,16 @@ namespace repose::contact_dynamics {
 /// numbers of the impulses are those of the packs.
 class PackSweeps {
  public:
-  /// Builds the packs, and adds to the bodies the one that unused lanes refer to.
+  /// Builds the packs, and adds to the bodies those that they need.
   void begin(Problem<2>& problem) {
-    packs_.build(problem);
+    packs_.build(problem, parts(problem));
     impulses_.resize(packs_.size() * packs_.numbers());
     packs_.load(problem.contacts, impulses_.data());
-    problem.bodies.push_back({});
+    packs_.add_bodies(problem.bodies);
   }
+
+  /// The number of parts of the problem that threads may share.
+  std::size_t parts(const Problem<2>& problem) const { return parts_of(problem.contacts.size()); }
 
   std::size_t slots(const Problem<2>&) const { return packs_.size() * pack_lanes; }
   bool pressed(const Problem<2>&, std::size_t slot) const { return *normal(impulses_, slot) > 0.0; }
@@ -43,14 +47,14 @@ class PackSweeps {
   }
 
   void sweep_both_ways(Problem<2>& problem, const double* fractions, const Start& start, const History& history,
-                       const Kernels& kernels) {
+                       const Kernels& kernels, Team& team) {
     PackSweep sweep;
     sweep.impulses = impulses_.data();
     sweep.bodies = problem.bodies.data();
     sweep.fractions = fractions;
     sweep.start = start;
     sweep.history = history;
-    packs_.sweep_both_ways(sweep, kernels);
+    packs_.sweep_both_ways(sweep, kernels, team);
   }
 
  private:

@@ -3,7 +3,9 @@
 #include "repose/methods/contact_dynamics/packs.hpp"
 
 #include "repose/core/errors.hpp"
+#include "repose/core/team.hpp"
 #include "repose/methods/contact_dynamics/kernels.hpp"
+#include "repose/methods/contact_dynamics/pack_groups.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -34,30 +36,50 @@ void put(const ContactLine<2>& c, std::size_t lane, ContactPack& pack) {
   pack.first_turn[lane] = c.first_turn;
 }
 
+constexpr auto nobody = static_cast<std::uint32_t>(Packs::none);
+
 /// These packs and their neighbours. A pack that needs the results of the previous one has to wait for them.
 std::uint64_t with_neighbours(std::uint64_t packs) { return packs | std::rotl(packs, 1) | std::rotr(packs, 1); }
 
 }  // namespace
 
-/// Puts each contact into the oldest open pack that contains none of its moving bodies.
+/// Puts each contact of a group into the oldest open pack that contains none of its moving bodies.
 class Packs::Builder {
  public:
-  Builder(Packs& packs, const Problem<2>& problem) : to_(packs), contacts_(problem.contacts) {
+  Builder(Packs& packs, const Problem<2>& problem)
+      : to_(packs), problem_(problem), contacts_(problem.contacts), copy_of_(problem.free.size(), nobody) {
     to_.packs_.clear();
     to_.contacts_.clear();
     to_.presence_.clear();
+    to_.extra_bodies_.clear();
     for (const auto& body : problem.free) to_.presence_.push_back({0, body.inverse_mass > 0.0 ? ~std::uint64_t{0} : 0});
-    // The body that unused lanes refer to.
-    to_.presence_.push_back({0, 0});
     nothing_.lever = 0.0;
     nothing_.first_turn = 0.0;
-    nothing_.first = nothing_.second = static_cast<std::uint32_t>(problem.free.size());
-    for (std::size_t lane = 0; lane < pack_lanes; ++lane) put(nothing_, lane, empty_);
   }
 
-  void add_all() {
+  /// `alone`: other threads may relax other groups at the same time. A body that never moves is written by each contact
+  /// nevertheless, always with the same numbers. So that no other thread writes it, the group has copies of such bodies
+  /// and a cache line of distance from those of other groups.
+  void add_group(const std::vector<std::uint32_t>& contacts, bool alone) {
+    alone_ = alone;
+    if (alone) to_.extra_bodies_.insert(to_.extra_bodies_.end(), 2, nobody);
+    nothing_.first = nothing_.second = extra_body(nobody);
+    for (std::size_t lane = 0; lane < pack_lanes; ++lane) put(nothing_, lane, empty_);
+    add_all(contacts);
+    finish();
+    for (std::size_t bits = open_; bits != 0; bits = open_) close(static_cast<std::size_t>(std::countr_zero(bits)));
+    for (const auto k : contacts) {
+      for (const auto body : {contacts_[k].first, contacts_[k].second}) {
+        to_.presence_[body].packs = 0;
+        copy_of_[body] = nobody;
+      }
+    }
+  }
+
+ private:
+  void add_all(const std::vector<std::uint32_t>& contacts) {
     while (open_count_ < window) open();
-    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    for (const auto k : contacts) {
       const auto taken = packs_with(contacts_[k]);
       auto fitting = open_ & ~with_neighbours(taken);
       if (!fitting) fitting = open_ & ~taken;
@@ -66,7 +88,7 @@ class Packs::Builder {
         fitting = bit(to_.size() - 1);
       }
       const auto pack = oldest(fitting);
-      add(static_cast<std::uint32_t>(k), pack);
+      add(k, pack);
       if (used(pack) < pack_lanes) continue;
       close(pack);
       if (open_count_ < window) open();
@@ -85,7 +107,7 @@ class Packs::Builder {
         const auto pack = oldest(fitting);
         add(k, pack);
         if (used(pack) == pack_lanes) close(pack);
-        k = static_cast<std::uint32_t>(none);
+        k = nobody;
         put(nothing_, lanes - 1u, to_.packs_[last]);
       }
       to_.packs_.pop_back();
@@ -93,7 +115,17 @@ class Packs::Builder {
     }
   }
 
- private:
+  /// The body that the packs of the group refer to.
+  std::uint32_t home(std::uint32_t body) {
+    if (!alone_ || problem_.free[body].inverse_mass > 0.0) return body;
+    if (copy_of_[body] == nobody) copy_of_[body] = extra_body(body);
+    return copy_of_[body];
+  }
+  std::uint32_t extra_body(std::uint32_t like) {
+    to_.extra_bodies_.push_back(like);
+    return static_cast<std::uint32_t>(problem_.free.size() + to_.extra_bodies_.size() - 1);
+  }
+
   static std::uint64_t bit(std::size_t pack) { return std::uint64_t{1} << pack % remembered; }
   std::uint8_t& used(std::size_t pack) { return used_[pack % remembered]; }
 
@@ -109,11 +141,13 @@ class Packs::Builder {
   }
 
   void add(std::uint32_t k, std::size_t pack) {
-    const auto& c = contacts_[k];
+    auto c = contacts_[k];
     auto& first = to_.presence_[c.first];
     auto& second = to_.presence_[c.second];
     first.packs |= bit(pack) & first.moves;
     second.packs |= bit(pack) & second.moves;
+    c.first = home(c.first);
+    c.second = home(c.second);
     const std::size_t lane = used(pack)++;
     put(c, lane, to_.packs_[pack]);
     to_.contacts_[pack][lane] = k;
@@ -136,12 +170,18 @@ class Packs::Builder {
   }
 
   void forget(std::size_t pack) {
-    for (const auto k : to_.packs_[pack].first) to_.presence_[k].packs &= ~bit(pack);
-    for (const auto k : to_.packs_[pack].second) to_.presence_[k].packs &= ~bit(pack);
+    for (const auto k : to_.contacts_[pack]) {
+      if (k == nobody) continue;
+      to_.presence_[contacts_[k].first].packs &= ~bit(pack);
+      to_.presence_[contacts_[k].second].packs &= ~bit(pack);
+    }
   }
 
   Packs& to_;
+  const Problem<2>& problem_;
   const std::vector<ContactLine<2>>& contacts_;
+  std::vector<std::uint32_t> copy_of_;  // of each body, in the group at hand
+  bool alone_ = false;
   ContactLine<2> nothing_;
   ContactPack empty_;
   std::array<std::uint8_t, remembered> used_{};  // lanes
@@ -149,12 +189,22 @@ class Packs::Builder {
   int open_count_ = 0;
 };
 
-void Packs::build(const Problem<2>& problem) {
+void Packs::build(const Problem<2>& problem, std::size_t parts) {
   REPOSE_ASSERT(!problem.pistons);
   rolling_ = problem.rolling;
+  const auto groups = group_contacts(problem, parts);
+  const auto count = groups.contacts.size();
   Builder builder(*this, problem);
-  builder.add_all();
-  builder.finish();
+  group_start_.assign(1, 0);
+  for (const auto& group : groups.contacts) {
+    builder.add_group(group, count > 1);
+    group_start_.push_back(size());
+  }
+  colour_start_ = groups.colour_start;
+}
+
+void Packs::add_bodies(std::vector<Body<2>>& bodies) const {
+  for (const auto like : extra_bodies_) bodies.push_back(like == nobody ? Body<2>{} : bodies[like]);
 }
 
 void Packs::load(const std::vector<ContactLine<2>>& contacts, double* impulses) const {
@@ -180,11 +230,31 @@ void Packs::store(const double* impulses, std::vector<ContactLine<2>>& contacts)
   }
 }
 
-void Packs::sweep_both_ways(PackSweep sweep, const Kernels& kernels) const {
+void Packs::sweep_both_ways(PackSweep sweep, const Kernels& kernels, Team& team) const {
   sweep.packs = packs_.data();
   sweep.rolling = rolling_;
-  kernels.sweep_forward(sweep, {0, packs_.size()});
-  kernels.sweep_back(sweep, {0, packs_.size()});
+  const auto colours = colour_start_.size() - 1;
+  if (colour_start_.back() == 1) {
+    kernels.sweep_forward(sweep, {0, size()});
+    kernels.sweep_back(sweep, {0, size()});
+    return;
+  }
+  // The packs of a colour that belong to a member of the team.
+  const auto own = [&](std::size_t colour, int member) {
+    const auto first = colour_start_[colour];
+    const auto groups = range_of(colour_start_[colour + 1] - first, member, team.size());
+    return Range{group_start_[first + groups.begin], group_start_[first + groups.end]};
+  };
+  team.run([&](int member) {
+    for (std::size_t colour = 0; colour < colours; ++colour) {
+      if (colour > 0) team.wait();
+      kernels.sweep_forward(sweep, own(colour, member));
+    }
+    for (std::size_t colour = colours; colour-- > 0;) {
+      if (colour + 1 < colours) team.wait();
+      kernels.sweep_back(sweep, own(colour, member));
+    }
+  });
 }
 
 double Packs::separate_energy(const double* changes, const Kernels& kernels) const {

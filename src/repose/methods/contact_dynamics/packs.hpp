@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/team.hpp"
 #include "repose/methods/contact_dynamics/problem.hpp"
 
 #include <array>
@@ -41,8 +42,13 @@ class Packs {
  public:
   static constexpr std::size_t none = std::numeric_limits<std::uint32_t>::max();
 
-  /// Chooses the packs and their order, which follows that of the contacts closely. The problem must have no pistons.
-  void build(const Problem<2>& problem);
+  /// Chooses the packs and their order, which follows that of the contacts closely within each of `parts` of the
+  /// problem (see PackGroups). The problem must have no pistons.
+  void build(const Problem<2>& problem, std::size_t parts = 1);
+
+  /// Appends to the bodies of the problem those that the packs refer to beside them: bodies of unused lanes, with
+  /// inverse mass 0, and copies of bodies that never move.
+  void add_bodies(std::vector<Body<2>>& bodies) const;
 
   std::size_t size() const { return packs_.size(); }
   /// Index of a contact in the problem, or `none`.
@@ -55,11 +61,12 @@ class Packs {
   void load(const std::vector<ContactLine<2>>& contacts, double* impulses) const;
   void store(const double* impulses, std::vector<ContactLine<2>>& contacts) const;
 
-  /// Relaxes all packs, first to last and back, the second time in mirrored order. The bodies of the sweep have one
-  /// more body than the problem, with inverse mass 0. The change in its history gets the sum of the changes of both
+  /// Relaxes all packs, first to last and back, the second time in mirrored order. The bodies of the sweep are
+  /// those of the problem and of `add_bodies`. The change in its history gets the sum of the changes of both
   /// directions. Its packs are set here, and whether
   /// they roll.
-  void sweep_both_ways(PackSweep sweep, const Kernels& kernels) const;
+  /// The members of the team share each colour of groups; the result is the same for any number of them.
+  void sweep_both_ways(PackSweep sweep, const Kernels& kernels, Team& team) const;
 
   /// The sum of the separate energies of changes, contact by contact in the order of the packs.
   double separate_energy(const double* changes, const Kernels& kernels) const;
@@ -74,6 +81,9 @@ class Packs {
 
   bool rolling_ = true;
   std::vector<ContactPack> packs_;
+  std::vector<std::size_t> group_start_;     // (groups + 1) first pack of each group
+  std::vector<std::size_t> colour_start_;    // (colours + 1) first group of each colour
+  std::vector<std::uint32_t> extra_bodies_;  // that follow those of the problem: copies of these, or `none`
   std::vector<std::array<std::uint32_t, pack_lanes>> contacts_;
   std::vector<Presence> presence_;  // one entry per body
 };

@@ -65,6 +65,34 @@ Motions<D> Search<D, Sweeps>::motions(Problem<D>& problem) {
   return {problem.bodies.data(), problem.bodies.size(), weights_.data(), history(&Point::motions)};
 }
 
+/// Calls piece(range) for each part of the motions, and adds the results in the order of the parts.
+template <int D, class Sweeps>
+template <class Piece>
+Taken Search<D, Sweeps>::over_motions(const Piece& piece) {
+  constexpr auto block = Motions<D>::block;
+  const auto parts = of_parts_.size();
+  const auto add = [&](std::size_t part) {
+    const auto blocks = range_of(weights_.size() / block, static_cast<int>(part), static_cast<int>(parts));
+    of_parts_[part].taken = piece(Range{blocks.begin * block, blocks.end * block});
+  };
+  if (parts == 1) {
+    add(0);
+  } else {
+    team_->run([&](int member) {
+      const auto own = range_of(parts, member, team_->size());
+      for (auto part = own.begin; part < own.end; ++part) add(part);
+    });
+  }
+  Taken all = of_parts_[0].taken;
+  for (std::size_t part = 1; part < parts; ++part) {
+    const auto& taken = of_parts_[part].taken;
+    all.square += taken.square;
+    all.along += taken.along;
+    all.fastest = std::max(all.fastest, taken.fastest);
+  }
+  return all;
+}
+
 /// Starts from the velocities that belong to the impulses.
 template <int D, class Sweeps>
 void Search<D, Sweeps>::begin(Problem<D>& problem) {
@@ -75,6 +103,7 @@ void Search<D, Sweeps>::begin(Problem<D>& problem) {
   const auto bodies = problem.bodies.size();
   constexpr auto block = Motions<D>::block;
   const auto motions = (bodies * Motions<D>::each + block - 1) / block * block;
+  of_parts_.resize(sweeps_.parts(problem));
   weights_.assign(motions, 0.0);
   base_.motions.assign(motions, 0.0);
   for (std::size_t k = 0; k < bodies; ++k) {
@@ -113,11 +142,14 @@ void Search<D, Sweeps>::sweep(Problem<D>& problem, long sweeps) {
   const bool partly = yields_ && sweeps >= sweeps_before_yielding;
   if (partly && sweeps == sweeps_before_yielding) yielding_.begin(sweeps_.slots(problem), pressed);
   if (start_.kind != Start::Kind::here) {
-    predicted_square_ = kernels_.template motions<D>().start(motions(problem), start_, all_motions());
+    const auto of = motions(problem);
+    predicted_square_ = over_motions([&](Range range) {
+                          return Taken{kernels_.template motions<D>().start(of, start_, range), 0.0, 0.0};
+                        }).square;
   }
   auto impulses = history(&Point::impulses);
   if (!settings_.accelerated) impulses.change = nullptr;
-  sweeps_.sweep_both_ways(problem, partly ? yielding_.fractions() : nullptr, start_, impulses, kernels_);
+  sweeps_.sweep_both_ways(problem, partly ? yielding_.fractions() : nullptr, start_, impulses, kernels_, *team_);
   if (start_.kind == Start::Kind::combine) {
     newest_ = (newest_ + 1) % image_.size();
     remembered_ = std::min(remembered_ + 1, most_remembered);
@@ -129,11 +161,11 @@ void Search<D, Sweeps>::sweep(Problem<D>& problem, long sweeps) {
 template <int D, class Sweeps>
 void Search<D, Sweeps>::take_change(Problem<D>& problem) {
   const auto& kernels = kernels_.template motions<D>();
-  if (settings_.accelerated) {
-    taken_ = kernels.take(motions(problem), remembered_ > 0, all_motions());
-  } else {
-    taken_.fastest = kernels.follow(motions(problem), all_motions());
-  }
+  const auto of = motions(problem);
+  taken_ = over_motions([&](Range range) {
+    return settings_.accelerated ? kernels.take(of, remembered_ > 0, range)
+                                 : Taken{0.0, 0.0, kernels.follow(of, range)};
+  });
 }
 
 /// The true residual costs half a sweep. So it is computed when the velocities hardly change, at growing intervals, and
@@ -215,7 +247,10 @@ void Search<D, Sweeps>::combine(Problem<D>& problem) {
   if (!(taken_.square <= predicted_square_)) return restart();
   const auto of = motions(problem);
   const auto product = [&](const Start& projected, With with) {
-    return kernels_.template motions<D>().product(of, projected, with, all_motions());
+    return over_motions([&](Range range) {
+             return Taken{kernels_.template motions<D>().product(of, projected, with, range), 0.0, 0.0};
+           })
+        .square;
   };
   Start next;
   next.kind = Start::Kind::combine;
@@ -231,7 +266,8 @@ void Search<D, Sweeps>::combine(Problem<D>& problem) {
 }
 
 template <int D, class Sweeps>
-Solution Search<D, Sweeps>::solve(Problem<D>& problem) {
+Solution Search<D, Sweeps>::solve(Problem<D>& problem, Team& team) {
+  team_ = &team;
   Solution solution;
   problem.bodies = problem.free;
   if (problem.contacts.empty()) return solution;

@@ -53,7 +53,8 @@ class Search {
  public:
   explicit Search(const SolverSettings& settings) : settings_(settings), kernels_(kernels_of(settings.instructions)) {}
 
-  Solution solve(Problem<D>& problem);
+  /// The result is the same for any size of the team.
+  Solution solve(Problem<D>& problem, Team& team);
 
  private:
   /// Two is one more than a symmetric map needs; it reduces the effect of rounding and of sliding contacts.
@@ -72,10 +73,17 @@ class Search {
   bool leap(const Problem<D>& problem);
   History history(AlignedDoubles Point::*numbers);
   Motions<D> motions(Problem<D>& problem);
-  Range all_motions() const { return {0, weights_.size()}; }
+  template <class Piece>
+  Taken over_motions(const Piece& piece);
+
+  struct alignas(64) OfPart {  // on a cache line of its own
+    Taken taken;
+  };
 
   SolverSettings settings_;
   const Kernels& kernels_;
+  Team* team_ = nullptr;
+  std::vector<OfPart> of_parts_;
   Sweeps sweeps_;
   Yielding yielding_;
   bool yields_ = false;                       // whether any friction is infinite

@@ -17,12 +17,19 @@ class Solver {
  public:
   explicit Solver(const SolverSettings& settings) : settings_(settings), one_by_one_(settings), packed_(settings) {}
 
-  Solution solve(Problem<D>& problem) {
+  /// The result is the same for any size of the team.
+  Solution solve(Problem<D>& problem, Team& team) {
     if constexpr (D == 2) {
       const bool many = problem.contacts.size() >= fewest_packed;
-      if (settings_.packed && many && !problem.pistons) return packed_.solve(problem);
+      if (settings_.packed && many && !problem.pistons) return packed_.solve(problem, team);
     }
-    return one_by_one_.solve(problem);
+    return one_by_one_.solve(problem, team);
+  }
+
+  /// Solves on this thread.
+  Solution solve(Problem<D>& problem) {
+    Team alone(1);
+    return solve(problem, alone);
   }
 
  private:
