@@ -19,16 +19,26 @@ constexpr double look_ahead_steps = 16.0;
 
 /// Contacts are searched within 0.05 roll radii (the roll radius is at most half the sum of the radii), and within the
 /// distance that grains may fall.
-constexpr double cutoff = 1.0 + 0.5 * 0.05;
+constexpr double cutoff = 1.0 + 0.5 * contact_dynamics::margin_of_radius;
 
 /// Settled grains move slower than this fraction of gravity times the time step.
 constexpr double settled_speed = 0.1;
 
+/// The distance [L] that gravity may add to a contact in a step.
+template <int D>
+double fall_of(const ContactDynamicsSettings<D>& settings) {
+  return contact_dynamics::margin_of_fall * magnitude(settings.gravity) * settings.time_step * settings.time_step;
+}
+
+/// Half of this skin [L] may be used up by each body of a pair before the lists are built again.
+template <int D>
+double skin_of(const ContactDynamicsSettings<D>& settings) {
+  return settings.skin + fall_of(settings);
+}
+
 template <int D>
 PairReach reach_of(const ContactDynamicsSettings<D>& settings) {
-  const double dt = settings.time_step;
-  const double gravity = magnitude(settings.gravity);
-  return {cutoff, settings.skin + 2.5 * gravity * dt * dt, look_ahead_steps * dt, gravity, false};
+  return {cutoff, skin_of(settings), look_ahead_steps * settings.time_step, magnitude(settings.gravity), false};
 }
 
 }  // namespace
@@ -109,6 +119,16 @@ void ContactDynamics<D>::build_pairs(Grains<D>& grains, Team& team) {
   known_ = grains.size();
   crossings_.check(grains, settings_.walls, walls_now(), settings_.box, time());
   walls_at_build_ = walls_;
+  near_walls_.invalidate();
+}
+
+/// The margin of contacts and the kick of a step may each be as long as a fall.
+template <int D>
+void ContactDynamics<D>::refresh_near_walls(const Grains<D>& grains, const std::vector<WallNow<D>>& walls) {
+  const double skin = skin_of(settings_);
+  if (near_walls_.hold(settings_.walls, walls_, settings_.time_step, skin)) return;
+  near_walls_.build(grains, settings_.walls, walls_, walls, settings_.box, pairs_, cutoff,
+                    0.5 * skin + 2.0 * fall_of(settings_));
 }
 
 /// In the first step velocities are those at the time of the positions, unless the state is that of a former run with
@@ -179,7 +199,8 @@ void ContactDynamics<D>::find_contacts(const Grains<D>& grains) {
   const auto walls = walls_now();
   problem_.surface_of.clear();
   problem_.wall_direction.resize(settings_.walls.size());
-  contact_dynamics::gather<D>({laws_, settings_, walls}, grains, pairs_, before_, problem_, collisions_);
+  refresh_near_walls(grains, walls);
+  contact_dynamics::gather<D>({laws_, settings_, walls, near_walls_}, grains, pairs_, before_, problem_, collisions_);
 }
 
 /// Drops the contacts of the previous step whose impulses are no start for this one.
@@ -398,6 +419,7 @@ void ContactDynamics<D>::exchange(Archive& archive) {
   archive.value("solver/account", account_);
   archive.value("solver/last", solution_);
   pairs_.exchange(archive);
+  near_walls_.invalidate();
   crossings_.exchange(archive);
   for (const auto& c : problem_.contacts) {
     archive.check("contacts", c.first < known_ && c.second < known_ + walls_.size() && c.first < c.second);

@@ -52,6 +52,7 @@ class ContactDynamics final : public Method<D> {
   void pose(Grains<D>& grains, Team& team);
   void refresh_pairs(Grains<D>& grains, Team& team);
   void build_pairs(Grains<D>& grains, Team& team);
+  void refresh_near_walls(const Grains<D>& grains, const std::vector<WallNow<D>>& walls);
   void set_free_velocities(const Grains<D>& grains);
   void limit_speeds();
   void set_free_wall(std::size_t w, double kick);
@@ -68,6 +69,7 @@ class ContactDynamics final : public Method<D> {
   ImpulseLaws laws_;
   ContactDynamicsSettings<D> settings_;
   PairList<D> pairs_;
+  contact_dynamics::NearWalls<D> near_walls_;
   contact_dynamics::Problem<D> problem_;
   contact_dynamics::Solver<D> solver_;
   contact_dynamics::Impacts<D> impacts_;

@@ -8,17 +8,12 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <tuple>
 
 namespace repose::contact_dynamics {
 
 namespace {
-
-/// Two bodies are in contact if their gap, at the start of the step or at its end by the free velocities, is below a
-/// margin: a fraction of the roll radius, so that all collisions of a step are solved together, or the distance that
-/// gravity may add, if that is larger.
-constexpr double margin_of_radius = 0.05;
-constexpr double margin_of_fall = 2.5;
 
 /// Overlap over roll radius that is not corrected. A packing at rest has more contacts than its grains have degrees of
 /// freedom. If every overlap of rounding size were corrected, no impulses could satisfy all contacts, and the solver
@@ -50,6 +45,7 @@ class Gathering {
     const double dt = input.settings.time_step;
     fall_ = margin_of_fall * magnitude(input.settings.gravity) * dt * dt;
     slow_ = slowest_impact * magnitude(input.settings.gravity) * dt;
+    for (std::uint32_t w = 0; w < input.walls.size(); ++w) all_walls_.push_back(w);
   }
 
   void grain(std::uint32_t i, std::uint32_t j) {
@@ -73,7 +69,7 @@ class Gathering {
   void walls(std::uint32_t i) {
     const auto& a = grains_.line[i];
     touching_.clear();
-    for (std::uint32_t w = 0; w < input_.walls.size(); ++w) {
+    for (const auto w : kicked_far(i) ? std::span<const std::uint32_t>(all_walls_) : input_.near_walls.of(i)) {
       const auto& wall = input_.settings.walls[w];
       const auto& now = input_.walls[w];
       if (!now.present) continue;
@@ -103,6 +99,12 @@ class Gathering {
   }
 
   std::uint32_t body_of_wall(std::uint32_t wall) const { return static_cast<std::uint32_t>(grains_.size()) + wall; }
+
+  /// Whether forces take a grain farther in this step than the lists foresee.
+  bool kicked_far(std::uint32_t i) const {
+    const Vec<D> kick = problem_.free[i].velocity - grains_.line[i].velocity;
+    return magnitude(kick) * input_.settings.time_step > fall_;
+  }
 
   double relative_displacement(std::uint32_t i, std::uint32_t j) const {
     const Vec<D> relative = problem_.free[i].velocity - problem_.free[j].velocity;
@@ -178,6 +180,7 @@ class Gathering {
   typename std::vector<ContactLine<D>>::const_iterator old_end_;
   Problem<D>& problem_;
   Collisions& collisions_;
+  std::vector<std::uint32_t> all_walls_;
   WallContacts<D> touching_;  // of the grain at hand
   double fall_ = 0.0;         // [L]
   double slow_ = 0.0;         // [L/T]
@@ -195,7 +198,7 @@ void gather(const GatherInput<D>& input, const Grains<D>& grains, const PairList
   Gathering<D> gathering(input, grains, before, problem, collisions);
   for (std::uint32_t i = 0; i < pairs.rows(); ++i) {
     for (auto k = pairs.row_start[i]; k < pairs.row_start[i + 1]; ++k) gathering.grain(i, pairs.partner[k]);
-    if (grains.line[i].fixed()) continue;
+    if (grains.line[i].fixed() || input.walls.empty()) continue;
     gathering.walls(i);
   }
 }

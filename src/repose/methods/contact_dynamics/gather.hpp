@@ -4,6 +4,7 @@
 
 #include "repose/core/grains.hpp"
 #include "repose/laws/impulse_law.hpp"
+#include "repose/methods/contact_dynamics/near_walls.hpp"
 #include "repose/methods/contact_dynamics/problem.hpp"
 #include "repose/methods/contact_dynamics/settings.hpp"
 #include "repose/neighbours/pair_list.hpp"
@@ -19,7 +20,14 @@ struct GatherInput {
   const ImpulseLaws& laws;
   const ContactDynamicsSettings<D>& settings;
   const std::vector<WallNow<D>>& walls;  ///< the walls at the start of the step
+  const NearWalls<D>& near_walls;
 };
+
+/// Two bodies are in contact if their gap, at the start of the step or at its end by the free velocities, is below a
+/// margin: a fraction of the roll radius, so that all collisions of a step are solved together, or the distance that
+/// gravity may add, if that is larger: this many times g dt^2.
+inline constexpr double margin_of_radius = 0.05;
+inline constexpr double margin_of_fall = 2.5;
 
 /// A contact with restitution that closes within the step.
 struct Closing {
