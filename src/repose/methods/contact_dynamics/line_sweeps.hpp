@@ -56,15 +56,19 @@ class LineSweeps {
     return sum;
   }
 
+  /// Sets the impulses to `start`.
+  void set(Problem<D>& problem, const Start& start, const History& history, const Kernels& kernels) {
+    if (start.kind == Start::Kind::here) return;
+    kernels.start_impulses(start, history, starts_.data(), starts_.size());
+    for (std::size_t k = 0; k < problem.contacts.size(); ++k) problem.contacts[k].impulse = at(k, starts_.data());
+  }
+
   /// Sets the impulses to `start` and relaxes all contacts, first to last and back. The change in `history` gets the
   /// sum of the changes of both directions; nullptr: they are not recorded. `fractions` has the fraction of the change
   /// of friction that is applied, for each contact; nullptr: the whole change.
   void sweep_both_ways(Problem<D>& problem, const double* fractions, const Start& start, const History& history,
                        const Kernels& kernels, Team&) {
-    if (start.kind != Start::Kind::here) {
-      kernels.start_impulses(start, history, starts_.data(), starts_.size());
-      for (std::size_t k = 0; k < problem.contacts.size(); ++k) problem.contacts[k].impulse = at(k, starts_.data());
-    }
+    set(problem, start, history, kernels);
     const auto sweep = [&](const auto& among) {
       problem.rolling ? sweep_both_ways<true>(among, problem, fractions, history.change)
                       : sweep_both_ways<false>(among, problem, fractions, history.change);

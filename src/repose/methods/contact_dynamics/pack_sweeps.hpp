@@ -46,6 +46,10 @@ class PackSweeps {
     return packs_.separate_energy(changes.data(), kernels);
   }
 
+  void set(Problem<2>&, const Start& start, const History& history, const Kernels& kernels) {
+    kernels.start_impulses(start, history, impulses_.data(), impulses_.size());
+  }
+
   void sweep_both_ways(Problem<2>& problem, const double* fractions, const Start& start, const History& history,
                        const Kernels& kernels, Team& team) {
     PackSweep sweep;

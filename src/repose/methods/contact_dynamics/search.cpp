@@ -140,16 +140,21 @@ template <int D, class Sweeps>
 void Search<D, Sweeps>::sweep(Problem<D>& problem, long sweeps) {
   const auto pressed = [&](std::size_t place) { return sweeps_.pressed(problem, place); };
   const bool partly = yields_ && sweeps >= sweeps_before_yielding;
-  if (partly && sweeps == sweeps_before_yielding) yielding_.begin(sweeps_.slots(problem), pressed);
+  auto impulses = history(&Point::impulses);
+  if (!settings_.accelerated) impulses.change = nullptr;
   if (start_.kind != Start::Kind::here) {
     const auto of = motions(problem);
     predicted_square_ = over_motions([&](Range range) {
                           return Taken{kernels_.template motions<D>().start(of, start_, range), 0.0, 0.0};
                         }).square;
   }
-  auto impulses = history(&Point::impulses);
-  if (!settings_.accelerated) impulses.change = nullptr;
-  sweeps_.sweep_both_ways(problem, partly ? yielding_.fractions() : nullptr, start_, impulses, kernels_, *team_);
+  auto start = start_;
+  if (partly && sweeps == sweeps_before_yielding) {
+    sweeps_.set(problem, start, impulses, kernels_);
+    start.kind = Start::Kind::here;
+    yielding_.begin(sweeps_.slots(problem), pressed);
+  }
+  sweeps_.sweep_both_ways(problem, partly ? yielding_.fractions() : nullptr, start, impulses, kernels_, *team_);
   if (start_.kind == Start::Kind::combine) {
     newest_ = (newest_ + 1) % image_.size();
     remembered_ = std::min(remembered_ + 1, most_remembered);
