@@ -6,6 +6,7 @@
 #include "repose/cli/say.hpp"
 #include "repose/cli/verbs.hpp"
 #include "repose/core/errors.hpp"
+#include "repose/run_folder/profile.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -21,6 +22,7 @@ struct RunOptions {
   bool overwrite = false;
   bool beyond_memory = false;
   bool quiet = false;
+  bool profile = false;
 };
 
 int act(const RunOptions& options) {
@@ -36,12 +38,18 @@ int act(const RunOptions& options) {
   if (!options.beyond_memory) check_memory(*scene, options.scene.file);
 
   Simulation simulation(*scene, threads_for(*scene, options.threads));
+  if (options.profile) simulation.start_profile();
   RunFolder folder(out, simulation);
   if (!options.quiet) {
     say("{}", describe(*scene));
     say("threads          {}\noutput           {}\n", simulation.threads(), out);
   }
-  return carry_out(simulation, folder, options.quiet);
+  const int status = carry_out(simulation, folder, options.quiet);
+  if (options.profile) {
+    folder.write_profile(simulation);
+    if (!options.quiet) say_text(describe_profile(simulation));
+  }
+  return status;
 }
 
 }  // namespace
@@ -67,6 +75,9 @@ Verb run_verb() {
                         {.name = "--beyond-memory",
                          .about = "Run it though it seems to need more memory than the machine has",
                          .target = &options->beyond_memory},
+                        {.name = "--profile",
+                         .about = "Show where the time went, stage by stage; also written to DIR/profile.json",
+                         .target = &options->profile},
                         quiet_argument(options->quiet)},
           .examples = {{"repose run examples/heap.toml --out heap", "Pour a heap and write the folder heap"},
                        {"repose run examples/heap.toml --out rough --seed 2 --set contact.friction=0.8",

@@ -8,6 +8,7 @@
 #include "repose/core/contacts.hpp"
 #include "repose/core/energy.hpp"
 #include "repose/core/grains.hpp"
+#include "repose/core/profile.hpp"
 #include "repose/core/solver_account.hpp"
 #include "repose/core/team.hpp"
 #include "repose/methods/time_steps.hpp"
@@ -15,6 +16,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace repose {
@@ -119,6 +121,17 @@ class Method {
 
   /// Number of grains that one step moves, when `moving` grains can move.
   virtual double grains_per_step(std::size_t moving) const { return static_cast<double>(moving); }
+
+  /// Where the method counts the time of its stages from now on; null for nowhere.
+  void set_profile(Profile* profile) { profile_ = profile; }
+
+ protected:
+  /// Everything that takes time in an advance belongs to a stage. No stage lies in a loop over grains.
+  [[nodiscard]] Profile::Stage in_stage(std::string_view name) const { return {profile_, name}; }
+  Profile* profile() const { return profile_; }
+
+ private:
+  Profile* profile_ = nullptr;
 };
 
 }  // namespace repose

@@ -13,6 +13,7 @@
 #include "repose/results/analysis_file.hpp"
 #include "repose/results/summary.hpp"
 #include "repose/run_folder/further_analysis.hpp"
+#include "repose/run_folder/profile.hpp"
 #include "repose/scene/write.hpp"
 
 #include <fmt/format.h>
@@ -28,6 +29,7 @@ namespace repose {
 namespace {
 
 constexpr const char* own_files[] = {"scene.toml", "run.h5", "analysis.h5", "summary.json"};
+constexpr const char* profile_file = "profile.json";
 constexpr const char* own_folders[] = {"frames", "track", "checkpoints", "export", "pictures"};
 
 /// Where a new start is written, and its name once it is whole.
@@ -56,6 +58,7 @@ std::vector<fs::path> start_files(const fs::path& path) {
 void clear_older_run(const fs::path& path) {
   for (const auto* name : own_folders) fs::remove_all(path / name);
   for (const auto* name : own_files) fs::remove(path / name);
+  fs::remove(path / profile_file);
   for (const auto& file : start_files(path)) fs::remove(file);
 }
 
@@ -102,7 +105,7 @@ RunFolder::RunFolder(std::string path, const Simulation& simulation, std::unique
     fs::create_directory(beside);
     path_ = beside;
     write_text_file(path_ + "/scene.toml", scene_text(simulation.scene()));
-    write_run(simulation.record());
+    write_run(simulation, simulation.record());
     const auto& start = simulation.scene().start;
     if (!start.from.empty()) fs::copy_file(start.path, fs::path(beside) / start.from);
     path_ = target;
@@ -135,11 +138,12 @@ class RunFolder::Frames final : public Observer {
   double due_after(double time) const override { return times_.after(time); }
   void observe(const Simulation& simulation) override {
     if (simulation.status() != Status::running) return;
+    const Profile::Stage stage(simulation.profile(), "frames");
     const auto record = simulation.record();
     folder_.lock_->check_place();
     folder_.write_track(simulation);
     folder_.write_frame(record);
-    folder_.write_run(record);
+    folder_.write_run(simulation, record);
   }
 
  private:
@@ -167,6 +171,7 @@ void RunFolder::keep(Simulation& simulation, bool now) {
   const double passed = seconds_since(last_pause_);
   const bool due = interval > 0.0 && passed >= interval && passed >= least_between * cost_;
   if (!due && !now) return;
+  const Profile::Stage stage(simulation.profile(), "checkpoints");
   const auto start = Clock::now();
   write_checkpoint(path_, next_slot_, simulation, {frames_.size(), segments_.size(), moments_written_});
   next_slot_ = 1 - next_slot_;
@@ -203,14 +208,23 @@ void RunFolder::write_frame(const Record& record) {
 void RunFolder::write(const Simulation& simulation, const Written& written) {
   lock_->check_place();
   write_track(simulation);
-  write_run(simulation.record(), written);
+  write_run(simulation, simulation.record(), written);
   if (simulation.status() == Status::finished || simulation.status() == Status::failed) remove_checkpoints(path_);
 }
 
-void RunFolder::write_run(const Record& record, const Written& written) {
+void RunFolder::write_profile(const Simulation& simulation) {
+  lock_->check_place();
+  write_text_file(path_ + "/" + profile_file, profile_text(simulation));
+}
+
+void RunFolder::write_run(const Simulation& simulation, const Record& record, const Written& written) {
+  const Profile::Stage stage(simulation.profile(), "writing");
   lock_->check_place();
   write_record(path_ + "/run.h5", record, frames_, segments_);
-  const auto results = analyse(record, {});
+  const auto results = [&] {
+    const Profile::Stage inner(simulation.profile(), "analysis");
+    return analyse(record, {});
+  }();
   write_results(path_, *lock_, record, results);
   if (written) written(record, results);
 }

@@ -44,6 +44,9 @@ class RunFolder {
   /// Writes the present state and its analysis. Throws RunError; the files of an earlier state stay then.
   void write(const Simulation& simulation, const Written& written = {});
 
+  /// Writes profile.json, for a simulation whose profile has been started. Throws RunError.
+  void write_profile(const Simulation& simulation);
+
   /// Writes a checkpoint if one is due by wall time, or `now`. Throws RunError; an older checkpoint stays then.
   void keep(Simulation& simulation, bool now);
 
@@ -54,7 +57,7 @@ class RunFolder {
 
   void write_track(const Simulation& simulation);
   void write_frame(const Record& record);
-  void write_run(const Record& record, const Written& written = {});
+  void write_run(const Simulation& simulation, const Record& record, const Written& written = {});
 
   using Clock = std::chrono::steady_clock;
 

@@ -167,6 +167,7 @@ double Simulation::next_due(double end) const {
 /// Whether the last grain has come, no load is to begin, and everything has been at rest for long enough.
 bool Simulation::rests(double before) {
   if (rest_.due_after(before) > time() || !source_->done() || loads_.due() < infinity) return false;
+  const Profile::Stage stage(profile(), "test of rest");
   drop_lost_grains();
   const auto unrest = largest_unrest(grains_, contacts(), loads_.acting(), scene_.gravity, scene_.grains.diameter);
   const bool lasts = rest_.lasts(unrest, time());
@@ -176,6 +177,7 @@ bool Simulation::rests(double before) {
 }
 
 void Simulation::observe(double before, bool ends) {
+  const Profile::Stage stage(profile(), "track and progress");
   const auto is_due = [&](const Observer& observer) {
     return observer.due_after(before) <= time() || (ends && observer.due_at_end());
   };
@@ -194,6 +196,7 @@ void Simulation::observe_every(double interval, RegularObserver::Use use) {
 
 /// Adds a row to the series and stops where it calls for that.
 void Simulation::add_row() {
+  const Profile::Stage stage(profile(), "time series");
   drop_lost_grains();
   base_forces_.record(grains_, time());
   series_.add_row(*this, *method_);
@@ -214,6 +217,7 @@ void Simulation::refresh() {
 
 void Simulation::release_due_grains() {
   if (source_->due() > time()) return;
+  const Profile::Stage stage(profile(), "sources");
   const SourceView view{[this] { return apex(); }, method_->walls()};
   if (!source_->release(grains_, time(), view)) return;
   method_->grains_added(grains_);
@@ -236,7 +240,10 @@ void Simulation::begin_due_loads() {
 }
 
 const Contacts<2>& Simulation::contacts() const {
-  if (!contacts_) contacts_ = method_->contacts(grains_);
+  if (!contacts_) {
+    const Profile::Stage stage(profile(), "contacts of the state");
+    contacts_ = method_->contacts(grains_);
+  }
   return *contacts_;
 }
 
@@ -248,6 +255,11 @@ std::int64_t Simulation::lost() const {
 
 double Simulation::wall_seconds() const {
   return seconds_ + (since_ ? std::chrono::duration<double>(Clock::now() - *since_).count() : 0.0);
+}
+
+void Simulation::start_profile() {
+  profile_ = std::make_unique<Profile>();
+  method_->set_profile(profile());
 }
 
 void Simulation::stop(Status status, std::string message) {

@@ -4,6 +4,7 @@
 
 #include "repose/core/contacts.hpp"
 #include "repose/core/grains.hpp"
+#include "repose/core/profile.hpp"
 #include "repose/core/team.hpp"
 #include "repose/methods/method.hpp"
 #include "repose/record/record.hpp"
@@ -86,6 +87,10 @@ class Simulation {
   double grain_steps() const { return grain_steps_; }  ///< moving grains times steps
   double wall_seconds() const;                         ///< in advances, those before a checkpoint too
 
+  /// Counts the time of all stages of the run from now on. No bit of it depends on that.
+  void start_profile();
+  Profile* profile() const { return profile_.get(); }  ///< null where none is kept
+
  private:
   void begin();
   void take_batch(double end);
@@ -120,6 +125,7 @@ class Simulation {
   Rest rest_;
   TrackObserver track_;
   std::vector<std::unique_ptr<Observer>> observers_;
+  std::unique_ptr<Profile> profile_;
 
   Status status_ = Status::running;
   std::string message_;

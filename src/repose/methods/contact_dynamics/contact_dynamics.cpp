@@ -62,6 +62,7 @@ template <int D>
 bool ContactDynamics<D>::step(Grains<D>& grains, Team& team) {
   pose(grains, team);
   solve(team);
+  const auto stage = this->in_stage("motion");
   add_reactions(grains);
   const bool fine = move(grains);
   contact_dynamics::name_walls(problem_);
@@ -99,6 +100,7 @@ const contact_dynamics::Problem<D>* ContactDynamics<D>::problem_at(double time, 
 /// The list must hold until the end of the step, when grains may touch that are far apart now.
 template <int D>
 void ContactDynamics<D>::refresh_pairs(Grains<D>& grains, Team& team) {
+  const auto stage = this->in_stage("pair lists");
   const double dt = settings_.time_step;
   double fastest2 = 0.0;
   for (const auto& grain : grains.line) fastest2 = std::max(fastest2, squared(grain.velocity));
@@ -141,6 +143,7 @@ contact_dynamics::StepTimes ContactDynamics<D>::times() const {
 
 template <int D>
 void ContactDynamics<D>::set_free_velocities(const Grains<D>& grains) {
+  const auto stage = this->in_stage("free velocities");
   const double kick = times().kick();
   problem_.free.clear();
   for (const auto& grain : grains.line) {
@@ -190,6 +193,7 @@ void ContactDynamics<D>::set_free_wall(std::size_t w, double kick) {
 
 template <int D>
 void ContactDynamics<D>::find_contacts(const Grains<D>& grains) {
+  const auto stage = this->in_stage("contact search");
   std::swap(before_, problem_.contacts);
   // The first step of a fresh run has half a kick; its impulses are half of those of the steps that follow.
   if (step_ == 1 && !follows_) {
@@ -220,6 +224,7 @@ void ContactDynamics<D>::forget_impulses(const Grains<D>& grains) {
 /// Lets impacts act on the free velocities.
 template <int D>
 void ContactDynamics<D>::collide(const Grains<D>& grains) {
+  const auto stage = this->in_stage("impacts");
   std::vector<contact_dynamics::Body<D>> before;
   if (!collisions_.closing.empty()) {
     for (const auto& grain : grains.line) before.push_back({grain.velocity, grain.rim_velocity, grain.inverse_mass});
@@ -237,6 +242,7 @@ void ContactDynamics<D>::collide(const Grains<D>& grains) {
 
 template <int D>
 void ContactDynamics<D>::solve(Team& team) {
+  const auto stage = this->in_stage("solver");
   solution_ = solver_.solve(problem_, team);
   const auto without_recovery = [&] {
     auto plain = problem_;
@@ -341,6 +347,7 @@ void ContactDynamics<D>::grains_added(Grains<D>&) {
 
 template <int D>
 void ContactDynamics<D>::refresh(Grains<D>& grains, Team& team) {
+  const auto stage = this->in_stage("pair lists");
   pairs_.invalidate();
   build_pairs(grains, team);
 }

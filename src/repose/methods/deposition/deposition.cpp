@@ -32,6 +32,7 @@ class Deposition final : public Method<2> {
   double time() const override { return static_cast<double>(made_); }
 
   StepReport advance(Grains<2>& grains, double until, Team& /*team*/) override {
+    const auto stage = in_stage("dropping discs");
     const std::int64_t before = made_;
     const std::int64_t last = std::min<std::int64_t>(time_steps().count(until), settings_.count);
     const Roller<Search> roller(settings_, *search_);

@@ -35,6 +35,7 @@ Hybrid::Hybrid(const ImpulseLaws& laws, const HybridSettings& settings)
       relaxed_(settings.relaxed_start ? 0 : 1) {}
 
 StepReport Hybrid::advance(Grains<2>& grains, double until, Team&) {
+  const auto stage = in_stage("flights and collisions");
   StepReport report;
   const long end = time_steps().count(until);
   const long most = std::max(1L, static_cast<long>(work_of_a_call / static_cast<double>(grains.size() + 20)));
@@ -95,6 +96,7 @@ bool Hybrid::take_step(Grains<2>& grains, double length, int halvings) {
 }
 
 bool Hybrid::relax(Grains<2>& grains) {
+  const auto stage = in_stage("equilibrium at the start");
   if (touches_.list.empty()) return true;
   hybrid::Relaxation progress{.length = settings_.time_step};
   for (;;) {
@@ -110,6 +112,7 @@ bool Hybrid::relax(Grains<2>& grains) {
 /// Builds the list of near grains for steps in which grains move up to `reach` [L]. In a periodic box they are wrapped
 /// first, and wells with them.
 void Hybrid::build_list(Grains<2>& grains, double reach) {
+  const auto stage = in_stage("pair lists");
   if (settings_.box.periodic) {
     for (std::uint32_t k = 0; k < grains.size(); ++k) {
       auto& place = grains.line[k].position;

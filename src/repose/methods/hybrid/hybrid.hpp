@@ -46,7 +46,7 @@ class Hybrid final : public Method<2> {
   bool relax(Grains<2>& grains);
   void build_list(Grains<2>& grains, double reach);
   void touch_slowly(const Grains<2>& grains, std::uint32_t grain);
-  hybrid::Surroundings around() const { return {settings_, laws_, near_, pinned_}; }
+  hybrid::Surroundings around() const { return {settings_, laws_, near_, pinned_, profile()}; }
   double overlap(const Grains<2>& grains, const hybrid::Touch& touch, Vec<2>& normal) const;
 
   ImpulseLaws laws_;

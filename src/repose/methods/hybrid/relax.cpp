@@ -112,7 +112,10 @@ Relaxed relax(const Surroundings& around, Grains<2>& grains, Touches& touches, S
     if (progress.load == 0.0) progress.load = first_load(system);
     system.gravity = settings.gravity * progress.load;
     const double tolerance = std::max(settings.tolerance, loose * std::min(progress.load, progress.left));
-    const auto solved = solve(settings, solver, system, tolerance, true);
+    const auto solved = [&] {
+      const Profile::Stage stage(around.profile, "solver");
+      return solve(settings, solver, system, tolerance, true);
+    }();
     account.iterations += solved.iterations;
     const bool near = std::all_of(system.bodies.begin(), system.bodies.end(),
                                   [&](const auto& one) { return magnitude(one.moved) <= farthest * one.radius; });

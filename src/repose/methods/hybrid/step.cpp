@@ -68,6 +68,7 @@ void Step::add_body(std::uint32_t grain, double time) {
 }
 
 bool Step::solve() {
+  const Profile::Stage stage(around_.profile, "solver");
   outdated_ = false;
   const auto solved = hybrid::solve(settings_, solver_, system_, settings_.tolerance, false);
   account.iterations += solved.iterations;

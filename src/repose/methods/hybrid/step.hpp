@@ -4,6 +4,7 @@
 
 #include "repose/core/collision_account.hpp"
 #include "repose/core/grains.hpp"
+#include "repose/core/profile.hpp"
 #include "repose/laws/impulse_law.hpp"
 #include "repose/methods/hybrid/collision.hpp"
 #include "repose/methods/hybrid/near_list.hpp"
@@ -27,6 +28,7 @@ struct Surroundings {
   const ImpulseLaws& laws;
   const NearList& near;
   const std::vector<std::uint8_t>& pinned;
+  Profile* profile = nullptr;  ///< where the solver counts its time
 };
 
 /// The grains of soft contacts, by ascending index, as bodies of an implicit step.

@@ -66,6 +66,7 @@ class Soft final : public Method<D> {
     const long steps = time_steps().count(until) - step_;
     while (report.steps < steps && !report.trouble) {
       refresh_pairs(grains, team);
+      const auto stage = this->in_stage("forces and motion");
       const long before = report.steps;
       const long start = step_;
       team.run([&](int member) {
@@ -187,11 +188,13 @@ class Soft final : public Method<D> {
   }
 
   void refresh_pairs(Grains<D>& grains, Team& team) {
+    const auto stage = this->in_stage("pair lists");
     if (!pairs_.may_be_stale() || !pairs_.stale(grains, furthest_wall())) return;
     if (settings_.audit) close_work(grains);
     const auto& order = pairs_.build(grains, settings_.box, team);
     known_ = grains.size();
     if (settings_.audit) work_.assign(grains.size(), {});
+    const auto wall_stage = this->in_stage("wall lists");
     const auto now = walls_now();
     wall_list_.build(grains, order, settings_.walls, now, settings_.box, pairs_, widest_reach(), settings_.skin);
     crossings_.check(grains, settings_.walls, now, settings_.box, time());
