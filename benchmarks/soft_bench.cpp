@@ -1,138 +1,116 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bed_scene.hpp"
-#include "repose/methods/soft/soft.hpp"
-#include "repose/scene/read.hpp"
-#include "repose/simulation/methods.hpp"
-#include "repose/simulation/simulation.hpp"
+#include "bed.hpp"
+#include "bed_method.hpp"
+#include "measured.hpp"
 
-#include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <memory>
+#include <stdexcept>
+#include <string>
 
-// Speed of the soft method on real states, in moving grain-steps per second of CPU time for one thread, and of wall
-// time where threads are compared. Compare only ratios within one run.
+// Moving grain-steps of the soft method in copies of a settled bed side by side, or new pair lists. Prints one line of
+// JSON; the driver of ./dev bench runs it once for each measurement.
 
 namespace repose::bench {
 namespace {
 
-const HookeCumulative hooke_cumulative{Hooke{stiffness, 0.15}, Cumulative{0.5, 1.214}};
+struct Case {
+  std::string law;
+  std::string bed;
+  int copies = 1;
+  int threads = 1;
+  double seconds = 1.0;
+  bool lists = false;  ///< only new pair lists are measured
+};
 
-const Bed& bed_of(int copies) {
-  static std::map<int, Bed> beds;
-  if (!beds.contains(copies)) beds.emplace(copies, read_bed(REPOSE_BED, copies));
-  return beds.at(copies);
-}
-
-void set_rate(benchmark::State& state, double steps, std::size_t grains) {
-  state.counters["grain_steps"] = benchmark::Counter(steps * static_cast<double>(grains), benchmark::Counter::kIsRate);
-}
-
-/// Steps of copies of the bed side by side. The first argument is the number of copies, the second that of threads.
-template <class Law>
-void bed(benchmark::State& state, const Law& law) {
-  const auto& start = bed_of(static_cast<int>(state.range(0)));
-  auto grains = start.grains;
-  const auto method = make_kernel<2>(MaterialTable(law), settings_of(start));
-  const auto& pairs = dynamic_cast<const Soft<2, Law>&>(*method).pairs();
-  Team team(static_cast<int>(state.range(1)));
+/// Steps, the pair lists that fall due among them included.
+template <int D>
+int time_steps(const Case& wanted) {
+  auto bed = read_bed<D>(wanted.bed, wanted.copies);
+  auto& grains = bed.grains;
+  const auto method = bed_method<D>(wanted.law, bed.box);
+  Team team(wanted.threads);
   method->grains_added(grains);
-  const long steps = std::max(10L, 500 / static_cast<long>(state.range(0)));
-  const double duration = method->time_steps().after(steps);
-  method->advance(grains, duration, team);
-  const auto builds = pairs.builds();
-  long taken = 0;
-  for (auto _ : state) {
-    if (method->advance(grains, method->time() + duration, team).trouble) state.SkipWithError("the bed has exploded");
-    taken += steps;
+  const auto moving = static_cast<double>(moving_count(grains));
+  constexpr double grain_steps = 5e5;  // of a piece, some hundredths of a second
+  const long steps = std::max(1L, std::lround(grain_steps / moving));
+  const auto advance = [&] {
+    const auto until = method->time_steps().later(method->time(), method->time_steps().after(steps));
+    const auto report = method->advance(grains, until, team);
+    if (report.trouble) throw std::runtime_error("the bed has exploded");
+    return static_cast<double>(report.steps) * moving;
+  };
+  constexpr double warming = 0.1;  // of the time measured
+  measure(warming * wanted.seconds, advance);
+  Profile profile;
+  method->set_profile(&profile);
+  const auto cost = measure(wanted.seconds, advance);
+  double in_lists = 0.0;
+  for (const auto& line : profile.lines()) {
+    if (line.name == "pair lists" || line.name == "wall lists") in_lists += line.seconds;
   }
-  set_rate(state, static_cast<double>(taken), moving_count(grains));
-  state.counters["steps_per_build"] =
-      static_cast<double>(taken) / static_cast<double>(std::max(1L, pairs.builds() - builds));
+  print_cost(cost, fmt::format(R"("share_of_lists": {:.4f})", in_lists / cost.wall_seconds));
+  return 0;
 }
 
-void bed_hooke_linear(benchmark::State& state) { bed(state, hooke_linear()); }
-void bed_hooke_cumulative(benchmark::State& state) { bed(state, hooke_cumulative); }
-
-BENCHMARK(bed_hooke_linear)->ArgNames({"copies", "threads"})->Args({1, 1})->MinTime(2.0);
-BENCHMARK(bed_hooke_cumulative)->ArgNames({"copies", "threads"})->Args({1, 1})->MinTime(2.0);
-BENCHMARK(bed_hooke_linear)
-    ->Name("bed_threads")
-    ->ArgNames({"copies", "threads"})
-    ->Args({1, 1})
-    ->Args({1, 2})
-    ->Args({10, 1})
-    ->Args({10, 2})
-    ->MinTime(2.0)
-    ->UseRealTime();
-BENCHMARK(bed_hooke_linear)->Name("bed_large")->ArgNames({"copies", "threads"})->Args({100, 1})->Iterations(6);
-
-/// The first 600 grains of examples/heap.toml, poured faster, so that this takes seconds. The last grains are in
-/// flight.
-const Simulation& growing_heap() {
-  static const auto simulation = [] {
-    Overrides overrides;
-    overrides.set = {"source.rate=4", "stop.time=170"};
-    auto made = std::make_unique<Simulation>(read_scene(REPOSE_EXAMPLES "/heap.toml", overrides), 1);
-    made->run();
-    return made;
-  }();
-  return *simulation;
-}
-
-/// Steps of a heap with the continuous law (n = 36, r0 = 1.2), cumulative friction and some grains in flight.
-void heap_continuous(benchmark::State& state) {
-  const auto& heap = growing_heap();
-  auto grains = heap.grains();
-  const auto method = make_method(heap.scene());
-  Team team(1);
-  method->grains_added(grains);
-  const double duration = method->time_steps().after(500);
-  long taken = 0;
-  for (auto _ : state) {
-    if (method->advance(grains, method->time() + duration, team).trouble) state.SkipWithError("the heap has exploded");
-    taken += 500;
-  }
-  set_rate(state, static_cast<double>(taken), moving_count(grains));
-}
-BENCHMARK(heap_continuous)->Iterations(20);
-
-/// The whole cost of a new pair list (sorting, listing, slip displacements, distribution among threads) after every
-/// grain has moved.
-void pair_list_build(benchmark::State& state) {
-  const auto& start = bed_of(static_cast<int>(state.range(0)));
-  auto grains = start.grains;
-  const auto method = make_kernel<2>(MaterialTable(hooke_linear()), settings_of(start));
-  Team team(static_cast<int>(state.range(1)));
+/// The whole cost of new pair lists (sorting, listing, slip displacements, distribution among threads), each after
+/// every grain has moved by a skin. The work is the number of grains listed.
+template <int D>
+int time_lists(const Case& wanted) {
+  auto bed = read_bed<D>(wanted.bed, wanted.copies);
+  auto& grains = bed.grains;
+  const auto method = bed_method<D>(wanted.law, bed.box);
+  Team team(wanted.threads);
   method->grains_added(grains);
   method->refresh(grains, team);
-  double displacement = settings_of(start).skin;
-  for (auto _ : state) {
-    state.PauseTiming();
+  double displacement = 0.05;
+  Cost all;
+  while (all.cpu_seconds < wanted.seconds) {
     for (std::size_t i = 0; i < grains.size(); ++i) {
-      const double phase = static_cast<double>(grains.id[i]);
-      grains.line[i].position += Vec<2>{{std::cos(phase), std::sin(phase)}} * displacement;
+      const auto phase = static_cast<double>(grains.id[i]);
+      grains.line[i].position[0] += displacement * std::cos(phase);
+      grains.line[i].position[up<D>] += displacement * std::sin(phase);
     }
     displacement = -displacement;
-    state.ResumeTiming();
-    method->refresh(grains, team);
+    const auto once = measure(1e-9, [&] {
+      method->refresh(grains, team);
+      return static_cast<double>(grains.size());
+    });
+    all.work += once.work;
+    all.cpu_seconds += once.cpu_seconds;
+    all.wall_seconds += once.wall_seconds;
   }
-  state.counters["seconds_per_grain"] =
-      benchmark::Counter(static_cast<double>(grains.size()) * static_cast<double>(state.iterations()),
-                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  print_cost(all);
+  return 0;
 }
-BENCHMARK(pair_list_build)
-    ->ArgNames({"copies", "threads"})
-    ->Args({1, 1})
-    ->Args({10, 1})
-    ->Args({10, 2})
-    ->Args({100, 1})
-    ->UseRealTime();
+
+template <int D>
+int carry_out(const Case& wanted) {
+  return wanted.lists ? time_lists<D>(wanted) : time_steps<D>(wanted);
+}
 
 }  // namespace
 }  // namespace repose::bench
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  using namespace repose::bench;
+  if (argc != 8) {
+    fmt::print(stderr, "usage: repose_soft_bench steps|lists 2|3 LAW BED COPIES THREADS SECONDS\n");
+    return 2;
+  }
+  try {
+    const Case wanted{.law = argv[3],
+                      .bed = argv[4],
+                      .copies = std::stoi(argv[5]),
+                      .threads = std::stoi(argv[6]),
+                      .seconds = std::stod(argv[7]),
+                      .lists = argv[1] == std::string("lists")};
+    return argv[2] == std::string("3") ? carry_out<3>(wanted) : carry_out<2>(wanted);
+  } catch (const std::exception& failure) {
+    fmt::print(stderr, "repose_soft_bench: {}\n", failure.what());
+    return 1;
+  }
+}
