@@ -10,6 +10,8 @@
 #include <sys/resource.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace repose {
 namespace {
@@ -54,19 +56,23 @@ void deposit(benchmark::State& state) {
       1024.0 * static_cast<double>(usage.ru_maxrss) / static_cast<double>(settings.count);
 }
 
+// Widths and sizes are those of benchmarks/driver/deposition.py.
+void sizes(benchmark::internal::Benchmark* cases, const std::vector<std::pair<long, long>>& of) {
+  for (const long angle : {90L, 50L, 0L}) {
+    for (const auto& [width, discs] : of) cases->Args({angle, width, discs});
+  }
+}
+
 BENCHMARK(deposit)
     ->ArgNames({"angle", "width", "discs"})
-    ->Args({90, 32, 1000})
-    ->Args({50, 32, 1000})
-    ->Args({0, 32, 1000})
-    ->Unit(benchmark::kMillisecond);
+    ->Apply([](auto* cases) {
+      sizes(cases, {{32, 1'000}, {100, 10'000}, {316, 100'000}});
+    }) -> Unit(benchmark::kMillisecond);
 BENCHMARK(deposit)
     ->ArgNames({"angle", "width", "discs"})
-    ->Args({90, 10000, 10'000'000})
-    ->Args({50, 10000, 10'000'000})
-    ->Args({0, 10000, 10'000'000})
-    ->Iterations(1)
-    ->Unit(benchmark::kMillisecond);
+    ->Apply([](auto* cases) {
+      sizes(cases, {{1000, 1'000'000}, {10000, 10'000'000}});
+    }) -> Iterations(1) -> Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace repose

@@ -10,14 +10,13 @@
 #include <limits>
 
 // Prints the grains of a scene as a table for other programs: `fixed` ones of the base, and for each grain of the
-// source the step of its release. Columns: step, x, y, radius, vx, vy; fixed grains have the step -1.
+// source the step of its release. Columns: step, x, y, radius; fixed grains have the step -1.
 
 namespace repose::bench {
 namespace {
 
 void print(long step, const Grain<2>& grain) {
-  fmt::print("{} {} {} {} {} {}\n", step, grain.position[0], grain.position[1], grain.radius, grain.velocity[0],
-             grain.velocity[1]);
+  fmt::print("{} {} {} {}\n", step, grain.position[0], grain.position[1], grain.radius);
 }
 
 /// Each grain finds the room empty: the list is right for sources whose grains do not hinder each other.

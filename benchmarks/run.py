@@ -27,13 +27,17 @@ def say(text):
     print(f"  {text}", file=sys.stderr, flush=True)
 
 
+def sizes(text):
+    return [int(float(number)) for number in text.split(",")]
+
+
 def arguments():
     parser = argparse.ArgumentParser(prog="./dev bench", description=__doc__.splitlines()[0])
     parser.add_argument("--rounds", type=int, help="interleaved rounds (default: 5; with --quick 2)")
     parser.add_argument("--quick", action="store_true", help="sizes to 10 000 and short measurements: about a minute")
     parser.add_argument("--only", choices=METHODS, help="one method alone")
-    parser.add_argument("--sizes", type=lambda text: [int(float(n)) for n in text.split(",")], metavar="N,N", help="1e4,1e6")
-    parser.add_argument("--heap", action="store_true", help="the whole heap of the paper, minutes a round, instead of its start")
+    parser.add_argument("--sizes", type=sizes, metavar="N,N", help="these sizes alone, such as 1e4,1e6; no heap")
+    parser.add_argument("--heap", action="store_true", help="the whole heap of the paper, minutes a round, not its start")
     parser.add_argument("--check-physics", action="store_true", help="only compare what Repose and LAMMPS compute")
     parser.add_argument("--build", default=os.path.join(ROOT, "build", "release"), help="folder of the programs")
     options = parser.parse_args()
@@ -84,7 +88,7 @@ def main():
         f"{about['processor']}, {about['threads']} threads, {sets}; load at the start {about['load']};"
         f" {wanted.rounds} interleaved rounds: median (least-largest)"
     )
-    said = f"{head}\n\n{table.text(rows)}\n\n{table.bars_text(found)}\n"
+    said = "\n\n".join(filter(None, [head, table.text(rows), table.bars_text(found)])) + "\n"
     print(said)
     with open(os.path.join(folder, "bench.md"), "w", encoding="utf-8") as file:
         file.write(said)

@@ -13,7 +13,7 @@ def find(rows, method, size, instructions=None):
     found = [
         row
         for row in rows
-        if row.case.method.startswith(method)
+        if row.case.method == method
         and row.case.size == size
         and row.contender.program == OWN
         and row.contender.threads == 1
@@ -29,11 +29,9 @@ def over_peer(rows, method, size, peer):
 
 
 def heap_time(rows):
-    for row in rows:
-        if row.case.method.startswith("paper heap") and row.contender.program == OWN:
-            ratio = over_peer(rows, row.case.method, row.case.size, "LAMMPS")
-            return 1 / ratio if ratio else None
-    return None
+    """CPU time over that of LAMMPS, for the whole heap alone: at its start the cost of a step is that of few grains."""
+    ratio = over_peer(rows, "paper heap", 1_334, "LAMMPS")
+    return 1 / ratio if ratio else None
 
 
 def growth(rows, method, small, large):
@@ -51,7 +49,7 @@ def check(rows):
     """[(what, value, bar, whether it is met)] of what has been measured."""
     found = [
         ("soft 2D, 10 000 grains: rate over LAMMPS", over_peer(rows, "soft 2D", 10_000, "LAMMPS"), 2.5, "least"),
-        ("soft 2D: cost of a grain-step, 1e6 over 1e4 grains", growth(rows, "soft 2D", 10_000, 1_000_000), 1.35, "most"),
+        ("soft 2D: cost of a grain-step, 1e6 over 1e4", growth(rows, "soft 2D", 10_000, 1_000_000), 1.35, "most"),
         ("soft 2D, 1e6 grains: peak memory [MiB]", memory(rows, "soft 2D", 1_000_000), 500, "most"),
         ("paper heap: CPU time over that of LAMMPS", heap_time(rows), 0.2, "most"),
     ]

@@ -5,7 +5,7 @@
 import json
 
 from .cases import OWN, Case, Contender, Measurement
-from .process import run
+from .process import Failed, run
 
 # Number of discs, and the width on which they fall. 1000 discs on 32 are packings of Bratberg (2003).
 WIDTHS = {1_000: 32, 10_000: 100, 100_000: 316, 1_000_000: 1_000, 10_000_000: 10_000}
@@ -24,6 +24,8 @@ def contender(options, angle, size):
         least = [] if size >= 1_000_000 else [f"--benchmark_min_time={options.seconds / 2}"]
         command = [options.program("repose_deposition_bench"), f"--benchmark_filter=^{name}(/iterations:[0-9]+)?$"]
         done = run([*command, "--benchmark_format=json", *least])
+        if "{" not in done.output:
+            raise Failed(f"repose_deposition_bench has no case {name}")
         case = json.loads(done.output[done.output.index("{") :])["benchmarks"][0]
         return Measurement(case["discs"], size / case["discs"], done.peak_mib)
 

@@ -30,26 +30,26 @@ group moving type 1
 
 
 class Pour:
-    """The fixed discs, and when and where the others are released."""
+    """The fixed discs, and when and where the others are released, at rest."""
 
     def __init__(self, options):
         rows = [line.split() for line in run([options.program("repose_pour_list"), SCENE]).output.splitlines()]
         self.fixed = [row[1:3] for row in rows if row[0] == "-1"]
         self.poured = [(int(row[0]), *row[1:3]) for row in rows if row[0] != "-1"]
-        assert all(float(row[3]) == 0.5 and float(row[4]) == float(row[5]) == 0 for row in rows)
+        assert all(float(row[3]) == 0.5 for row in rows)
 
     def grain_steps(self, steps):
         """Poured discs times steps, those of discs that have left included."""
         return float(sum(max(0, steps - release) for release, _, _ in self.poured))
 
     def released(self, steps):
-        return sum(release < steps for release, _, _ in self.poured)
+        return sum(release <= steps for release, _, _ in self.poured)
 
     def script(self, steps):
         """Commands of LAMMPS that release the discs and take the steps."""
         lines, now = [], 0
         for release, x, y in self.poured:
-            if release >= steps:
+            if release > steps:
                 break
             if release > now:
                 lines.append(f"run {release - now} post no")

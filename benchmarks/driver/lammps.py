@@ -25,8 +25,15 @@ def call(script, folder, **variables):
     command = [program(), "-in", os.path.join(PEERS, script), "-screen", "none", "-log", "log.lammps"]
     for name, value in variables.items():
         command += ["-var", name, value]
-    done = run(command, cwd=folder)
-    with open(os.path.join(folder, "log.lammps"), encoding="utf-8") as log:
+    path = os.path.join(folder, "log.lammps")
+    try:
+        done = run(command, cwd=folder)
+    except Failed as failure:
+        if not os.path.exists(path):
+            raise
+        with open(path, encoding="utf-8") as log:
+            raise Failed(f"{failure}\n{log.read()[-2000:]}") from failure
+    with open(path, encoding="utf-8") as log:
         return done, log.read()
 
 
@@ -48,7 +55,7 @@ def run_bed(bed, skin, steps, every=0, warm=0):
 
 
 def steps_for(bed, seconds, rate):
-    return max(10, round(seconds * rate / bed.moving))
+    return max(20, round(seconds * rate / bed.moving))
 
 
 @functools.cache

@@ -40,5 +40,6 @@ def compare(options):
         for name, shape, theirs, ours, tolerance in rows:
             close = abs(ours - theirs) <= tolerance
             agree = agree and close
-            print(f"  {name:42s} {theirs:{shape}} {ours:{shape}}   {'agree' if close else 'DIFFER'} (within {tolerance:.1e})")
+            verdict = "agree" if close else "DIFFER"
+            print(f"  {name:42s} {theirs:{shape}} {ours:{shape}}   {verdict} (within {tolerance:.1e})")
     return agree

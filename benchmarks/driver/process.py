@@ -3,8 +3,10 @@
 """Runs a program and says what it cost."""
 
 import os
+import re
 import subprocess
 import tempfile
+import time
 from dataclasses import dataclass
 
 INSTRUCTION_SET = "REPOSE_INSTRUCTION_SET"  # the environment variable by which methods choose theirs
@@ -20,6 +22,25 @@ class Done:
     output: str
     cpu_seconds: float
     peak_mib: float
+
+
+def _wait(pid):
+    """(status, resource usage, largest memory [KiB]) of a child that ends.
+
+    The largest memory in the resource usage would include that of this program, from which the child was forked.
+    """
+    peak = 0
+    while True:
+        try:
+            with open(f"/proc/{pid}/status", encoding="utf-8") as file:
+                found = re.search(r"^VmHWM:\s*(\d+)", file.read(), re.M)
+            peak = max(peak, int(found.group(1)) if found else 0)
+        except OSError:
+            pass  # no such file here
+        ended, status, usage = os.wait4(pid, os.WNOHANG)
+        if ended:
+            return status, usage, peak
+        time.sleep(0.02)
 
 
 def run(command, instructions=None, cwd=None, given=None):
@@ -39,7 +60,7 @@ def run(command, instructions=None, cwd=None, given=None):
         except OSError as problem:
             raise Failed(f"{command[0]}: {problem.strerror}") from problem
         try:
-            _, status, usage = os.wait4(child.pid, 0)
+            status, usage, peak_kib = _wait(child.pid)
         except BaseException:
             child.kill()
             child.wait()
@@ -49,4 +70,4 @@ def run(command, instructions=None, cwd=None, given=None):
         said = output.read()
     if child.returncode != 0:
         raise Failed(f"{' '.join(command)}: exit status {child.returncode}\n{said[-2000:]}")
-    return Done(said, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024)
+    return Done(said, usage.ru_utime + usage.ru_stime, peak_kib / 1024)

@@ -29,8 +29,9 @@ def measure(cases, rounds, say):
     for turn in range(rounds):
         for done, row in enumerate(rows):
             case, contender = row.case, row.contender
-            how = " ".join(filter(None, [contender.instructions, f"{contender.threads} threads"])).replace("1 threads", "")
-            say(f"round {turn + 1} of {rounds}, {done + 1} of {len(rows)}: {case.method}, {case.size} grains, {contender.program} {how}")
+            with_threads = f"{contender.threads} threads" if contender.threads > 1 else ""
+            how = " ".join(filter(None, [contender.program, contender.instructions, with_threads]))
+            say(f"round {turn + 1} of {rounds}, {done + 1} of {len(rows)}: {case.method}, {case.size} grains, {how}")
             row.measured.append(contender.measure())
     return rows
 
