@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Discs per second of the method `deposition`, by critical angle and size, on a contiguous row. The last number of a
-// name is the number of discs. Bytes per disc include all memory of the method and its grains.
+// name is the number of discs. `peak_mib` is the largest memory of the process so far.
+#include "measured.hpp"
 #include "repose/core/random.hpp"
 #include "repose/methods/deposition/deposition.hpp"
 
 #include <benchmark/benchmark.h>
-#include <sys/resource.h>
 
 #include <cmath>
 #include <utility>
@@ -48,12 +48,9 @@ void deposit(benchmark::State& state) {
     method->grains_added(grains);
     benchmark::DoNotOptimize(method->advance(grains, static_cast<double>(settings.count), team));
   }
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
   state.counters["discs"] =
       benchmark::Counter(static_cast<double>(state.iterations() * settings.count), benchmark::Counter::kIsRate);
-  state.counters["bytes_per_disc"] =
-      1024.0 * static_cast<double>(usage.ru_maxrss) / static_cast<double>(settings.count);
+  state.counters["peak_mib"] = bench::peak_memory();
 }
 
 // Widths and sizes are those of benchmarks/driver/deposition.py.

@@ -27,6 +27,6 @@ def contender(options, angle, size):
         if "{" not in done.output:
             raise Failed(f"repose_deposition_bench has no case {name}")
         case = json.loads(done.output[done.output.index("{") :])["benchmarks"][0]
-        return Measurement(case["discs"], size / case["discs"], done.peak_mib)
+        return Measurement(case["discs"], size / case["discs"], case["peak_mib"])
 
     return Contender(OWN, measure)
