@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/instruction_set.hpp"
 #include "repose/core/team.hpp"
-#include "repose/methods/contact_dynamics/instruction_set.hpp"
 #include "repose/methods/contact_dynamics/packs.hpp"
 #include "repose/methods/contact_dynamics/start.hpp"
 

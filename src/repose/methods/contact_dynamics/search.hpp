@@ -3,7 +3,7 @@
 #pragma once
 
 #include "repose/core/aligned.hpp"
-#include "repose/methods/contact_dynamics/instruction_set.hpp"
+#include "repose/core/instruction_set.hpp"
 #include "repose/methods/contact_dynamics/kernels.hpp"
 #include "repose/methods/contact_dynamics/problem.hpp"
 #include "repose/methods/contact_dynamics/yielding.hpp"
@@ -19,7 +19,7 @@ struct SolverSettings {
   long most_sweeps = 2000;  ///< largest number of sweeps, each forward and backward
   bool accelerated = true;  ///< conjugate residuals; otherwise sweeps alone
   bool packed = true;       ///< discs: eight contacts at a time in an order of their own; otherwise one by one
-  InstructionSet instructions = fastest_instruction_set();
+  InstructionSet instructions = chosen_instruction_set();
 };
 
 /// The cost and accuracy of a solution.
