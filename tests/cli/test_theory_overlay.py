@@ -17,7 +17,11 @@ import pytest
 import xxhash
 from conftest import HEAP, LIMIT, PROGRAM, changed, repose, summary
 
-POURED = HEAP.replace("count = 40", "count = 150").replace("half_width = 8", "half_width = 25")
+POURED = (
+    HEAP.replace("count = 40", "count = 150")
+    .replace("half_width = 8", "half_width = 25")
+    .replace("height = 10", "height = 15")
+)
 SWEEP = """title = "friction"
 scene = "heap.toml"
 seeds = 3
