@@ -26,12 +26,12 @@ void deposit(benchmark::State& state) {
   settings.floor = -0.5;
   settings.snapped = state.range(0) == 0;
   settings.count = state.range(2);
-  settings.drop = [](std::int64_t k) {
-    DroppedDisc drop;
-    drop.place = uniform(1, Purpose::release_position, static_cast<std::uint64_t>(k));
-    drop.grain.radius = 0.5;
-    drop.grain.mass = drop.grain.inverse_mass = 1.0;
-    return drop;
+  settings.draw = [](std::int64_t k, std::span<DroppedDisc> discs) {
+    for (auto& disc : discs) {
+      disc.place = uniform(1, Purpose::release_position, static_cast<std::uint64_t>(k++));
+      disc.radius = 0.5;
+      disc.mass = 1.0;
+    }
   };
   Team team(1);
   for (auto _ : state) {

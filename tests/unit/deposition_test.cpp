@@ -11,6 +11,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <span>
 
 namespace repose {
 namespace {
@@ -37,14 +38,13 @@ struct Packer {
     s.largest_radius = 0.5;
     s.snapped = snapped;
     s.count = count;
-    s.drop = [seed = seed, spread = spread](std::int64_t k) {
-      const auto index = static_cast<std::uint64_t>(k);
-      DroppedDisc drop;
-      drop.place = uniform(seed, Purpose::release_position, index);
-      drop.grain.radius = 0.5 * (1.0 - spread * uniform(seed, Purpose::grain_size, index));
-      drop.grain.mass = drop.grain.radius * drop.grain.radius * 4.0;
-      drop.grain.inverse_mass = 1.0 / drop.grain.mass;
-      return drop;
+    s.draw = [seed = seed, spread = spread](std::int64_t k, std::span<DroppedDisc> discs) {
+      for (auto& disc : discs) {
+        const auto index = static_cast<std::uint64_t>(k++);
+        disc.place = uniform(seed, Purpose::release_position, index);
+        disc.radius = 0.5 * (1.0 - spread * uniform(seed, Purpose::grain_size, index));
+        disc.mass = disc.radius * disc.radius * 4.0;
+      }
     };
     return s;
   }

@@ -14,7 +14,7 @@ class BruteForce {
   BruteForce(const DepositionSettings& settings, const Grains<2>& grains) : box_(settings.box), line_(grains.line) {}
 
   void add(std::int32_t) {}
-  void clear() {}
+  void prefetch(double) const {}
   void fall(Fall& fall) const { consider_all(fall); }
   void roll(Arc& arc) const { consider_all(arc); }
 
@@ -26,7 +26,7 @@ class BruteForce {
       const auto& disc = line_[k];
       for (int image = -images; image <= images; ++image) {
         const double shift = image == 0 ? 0.0 : static_cast<double>(image) * box_.width();
-        meeting.consider({static_cast<std::int32_t>(k), disc.position[0] + shift, disc.position[1], disc.radius});
+        meeting.consider({disc.position[0] + shift, disc.position[1], disc.radius, static_cast<std::int32_t>(k)});
       }
     }
   }

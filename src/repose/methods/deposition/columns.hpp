@@ -2,18 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/huge_pages.hpp"
+#include "repose/core/numbers.hpp"
 #include "repose/methods/deposition/roller.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace repose::deposition {
 
-/// The discs of a packing in columns at least as wide as the largest diameter, each in ascending order of height. A
-/// falling disc can only meet discs near the top of three columns. Buried discs stay listed, at four bytes each,
-/// because a pit may lead down to them.
+/// The discs of a packing in columns at least as wide as the largest diameter. A falling disc can only meet discs near
+/// the top of three columns, mostly one of the two highest. So each column has one cache line with all that is needed
+/// of its two highest discs, and a second line with the next two. Only deeper discs are looked up among all grains,
+/// where each costs a page.
 class Columns {
  public:
   Columns(const DepositionSettings& settings, const Grains<2>& grains)
@@ -21,92 +27,169 @@ class Columns {
         largest_(settings.largest_radius),
         mixed_(settings.smallest_radius < settings.largest_radius),
         line_(grains.line),
-        columns_(std::max<std::size_t>(1, static_cast<std::size_t>(box_.width() / (2.0 * largest_)))),
-        width_(box_.width() / static_cast<double>(columns_.size())) {}
+        count_(std::max(1L, static_cast<long>(box_.width() / (2.0 * largest_)))),
+        per_width_(static_cast<double>(count_) / box_.width()),
+        high_(static_cast<std::size_t>(count_) + 1),
+        low_(high_.size()) {
+    below_.reserve(grains.line.capacity());
+    prefer_huge_pages(below_);
+  }
 
-  /// Lists a disc inside the box.
+  /// Lists a disc inside the box. Numbers ascend from 0.
   void add(std::int32_t number) {
-    const auto& place = line_[static_cast<std::size_t>(number)].position;
-    const auto last = static_cast<long>(columns_.size()) - 1;
-    auto& column = columns_[static_cast<std::size_t>(std::clamp(column_of(place[0]), 0L, last))];
-    const double y = place[1];
-    auto k = column.size();
-    column.push_back(number);
-    for (; k > 0 && height(column[k - 1]) > y; --k) column[k] = column[k - 1];
-    column[k] = number;
-  }
-
-  void clear() {
-    for (auto& column : columns_) column.clear();
-  }
-
-  void fall(Fall& fall) const {
-    const double reach = fall.radius + largest_;
-    const auto search = [&](const Column& column, double shift) {
-      for (auto k = end_below(column, fall.start); k-- > 0;) {
-        const auto& disc = line_[static_cast<std::size_t>(column[k])];
-        if (disc.position[1] + reach < fall.best.y) break;
-        fall.consider({column[k], disc.position[0] + shift, disc.position[1], disc.radius});
+    const auto& grain = line_[static_cast<std::size_t>(number)];
+    const double y = grain.position[1];
+    const auto c = static_cast<std::size_t>(std::clamp(column_of(grain.position[0]), 0L, count_ - 1));
+    auto& high = high_[c];
+    auto& low = low_[c];
+    const Fixed disc{grain.position[0], y, grain.radius, number};
+    if (!(high.y[0] > y)) {
+      below_.push_back(high.number[0]);
+      low.push(high.disc(1));
+      high.push(disc);
+    } else if (!(high.y[1] > y)) {
+      below_.push_back(high.number[1]);
+      below_[static_cast<std::size_t>(high.number[0])] = number;
+      low.push(high.disc(1));
+      high.set(1, disc);
+    } else {
+      auto above = high.number[1];
+      auto next = below_[static_cast<std::size_t>(above)];
+      while (next != nothing && height(next) > y) {
+        above = next;
+        next = below_[static_cast<std::size_t>(above)];
       }
-    };
-    // Its own column first: it mostly lands there, and then few discs of the others can be higher.
-    const long own = column_of(fall.x);
-    for (const long c : {own, own - 1, own + 1}) use_column(c, search);
+      below_.push_back(next);
+      below_[static_cast<std::size_t>(above)] = number;
+      if (!(low.y[0] > y)) {
+        low.push(disc);
+      } else if (!(low.y[1] > y)) {
+        low.set(1, disc);
+      }
+    }
+    high.next = low.y[0];
   }
 
-  void roll(Arc& arc) const {
+  /// Fetches the lines that the fall of a disc from x needs.
+  void prefetch(double x) const {
+    const long own = column_of(x);
+    for (const long c : {own - 1, own, own + 1}) {
+      __builtin_prefetch(&high_[static_cast<std::size_t>(std::clamp(c, 0L, count_ - 1))]);
+    }
+  }
+
+  REPOSE_FN void fall(Fall& fall) const {
+    const long own = column_of(fall.x);
+    const std::array<Image, 3> images{image(own), image(own - 1), image(own + 1)};
+    // It mostly lands on one of the two highest discs of these columns: all six are tried at once.
+    std::array<Two, 3> landing;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& high = high_[images[k].column];
+      landing[k] = fall.landing(high.x + images[k].shift, high.y, high.radius);
+    }
+    const Two pair = larger(larger(landing[0], landing[1]), landing[2]);
+    const double highest = larger(pair[0], pair[1]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (landing[k][0] == highest) fall.land_on(high_[images[k].column].disc(0, images[k].shift), highest);
+      if (landing[k][1] == highest) fall.land_on(high_[images[k].column].disc(1, images[k].shift), highest);
+    }
+    const double reach = fall.radius + largest_;
+    for (const auto& image : images) {
+      if (high_[image.column].next + reach < fall.best.y) continue;
+      for_low(image, [&](const Fixed& disc) {
+        if (disc.y + reach < fall.best.y) return false;
+        if (disc.y <= fall.start) fall.consider(disc);
+        return true;
+      });
+    }
+  }
+
+  REPOSE_FN void roll(Arc& arc) const {
     const double other = arc.radius + largest_;
     const double ahead = arc.reach + other;
     const double behind = mixed_ ? ahead : 0.0;
     const double left = arc.pivot.x - (arc.side > 0.0 ? behind : ahead);
     const double right = arc.pivot.x + (arc.side > 0.0 ? ahead : behind);
-    for_columns(left, right, [&](const auto& column, double shift) {
-      for (auto k = end_below(column, arc.pivot.y + arc.y0 + other); k-- > 0;) {
-        const auto& disc = line_[static_cast<std::size_t>(column[k])];
-        if (disc.position[1] < arc.pivot.y - other) break;
-        arc.consider({column[k], disc.position[0] + shift, disc.position[1], disc.radius});
-      }
-    });
+    const double highest = arc.pivot.y + arc.y0 + other;
+    const auto meet = [&](const Fixed& disc) {
+      if (disc.y < arc.pivot.y - other) return false;
+      if (disc.y <= highest) arc.consider(disc);
+      return true;
+    };
+    for (long c = column_of(left), last = column_of(right); c <= last; ++c) {
+      const auto image = this->image(c);
+      const auto& high = high_[image.column];
+      if (meet(high.disc(0, image.shift)) && meet(high.disc(1, image.shift))) for_low(image, meet);
+    }
   }
 
  private:
-  using Column = std::vector<std::int32_t>;
+  static constexpr double lowest = -std::numeric_limits<double>::infinity();
 
+  /// Two discs of a column, the higher one first. Where there is none, its y is below all.
+  struct alignas(64) Pair {
+    Two x{no_number, no_number};
+    Two y{lowest, lowest};
+    Two radius{};
+    std::array<std::int32_t, 2> number{nothing, nothing};
+    double next = lowest;  ///< [L] y of the next lower disc of the column
+
+    Fixed disc(std::size_t k, double shift = 0.0) const { return {x[k] + shift, y[k], radius[k], number[k]}; }
+    void set(std::size_t k, const Fixed& disc) {
+      x[k] = disc.x;
+      y[k] = disc.y;
+      radius[k] = disc.radius;
+      number[k] = disc.number;
+    }
+    /// Puts a disc on top; the lower of the two drops out.
+    void push(const Fixed& disc) {
+      set(1, this->disc(0));
+      set(0, disc);
+    }
+  };
+  static_assert(sizeof(Pair) == 64);
+
+  /// A column, or its image outside a periodic box.
+  struct Image {
+    std::size_t column;
+    double shift;  ///< [L] of the image
+  };
+
+  template <class T>
+  static T larger(T a, T b) {
+    return a > b ? a : b;
+  }
   double height(std::int32_t number) const { return line_[static_cast<std::size_t>(number)].position[1]; }
-  long column_of(double x) const { return static_cast<long>(std::floor((x - box_.x_min) / width_)); }
+  long column_of(double x) const { return static_cast<long>(std::floor((x - box_.x_min) * per_width_)); }
 
-  /// The end of the discs of a column with centres up to `top`, or a little above it.
-  std::size_t end_below(const Column& column, double top) const {
-    constexpr std::size_t by_one = 4;  // discs checked before a binary search, since the end is usually near the top
-    auto end = column.size();
-    for (std::size_t k = 0; k < by_one && end > 0 && height(column[end - 1]) > top; ++k) --end;
-    if (end == 0 || height(column[end - 1]) <= top) return end;
-    const auto place = std::upper_bound(column.begin(), column.begin() + static_cast<std::ptrdiff_t>(end), top,
-                                        [&](double y, std::int32_t number) { return y < height(number); });
-    return static_cast<std::size_t>(place - column.begin());
+  Image image(long c) const {
+    if (c >= 0 && c < count_) return {static_cast<std::size_t>(c), 0.0};
+    if (!box_.periodic) return {static_cast<std::size_t>(count_), 0.0};
+    const long image = c >= 0 ? c / count_ : -((count_ - 1 - c) / count_);
+    return {static_cast<std::size_t>(c - image * count_), static_cast<double>(image) * box_.width()};
   }
 
+  /// Calls use(disc) for the discs of a column from the third highest down until it returns false.
   template <class Use>
-  void for_columns(double left, double right, const Use& use) const {
-    for (long c = column_of(left), last = column_of(right); c <= last; ++c) use_column(c, use);
-  }
-
-  /// Calls use(column, shift) for column c, which may be an image outside a periodic box.
-  template <class Use>
-  void use_column(long c, const Use& use) const {
-    const auto count = static_cast<long>(columns_.size());
-    if (c >= 0 && c < count) return use(columns_[static_cast<std::size_t>(c)], 0.0);
-    if (!box_.periodic) return;
-    const long image = c >= 0 ? c / count : -((count - 1 - c) / count);
-    use(columns_[static_cast<std::size_t>(c - image * count)], static_cast<double>(image) * box_.width());
+  REPOSE_FN void for_low(const Image& image, const Use& use) const {
+    const auto& low = low_[image.column];
+    if (!use(low.disc(0, image.shift)) || !use(low.disc(1, image.shift)) || low.number[1] == nothing) return;
+    auto number = low.number[1];
+    while ((number = below_[static_cast<std::size_t>(number)]) != nothing) {
+      const auto& disc = line_[static_cast<std::size_t>(number)];
+      if (!use(Fixed{disc.position[0] + image.shift, disc.position[1], disc.radius, number})) return;
+    }
   }
 
   Box<2> box_;
   double largest_;
   bool mixed_;
   const std::vector<Grain<2>>& line_;
-  std::vector<Column> columns_;
-  double width_;
+  long count_;
+  double per_width_;
+  std::vector<Pair> high_;  // the two highest discs of each column; the last is empty, for the space beside walls
+  std::vector<Pair> low_;   // the next two
+  std::vector<std::int32_t> below_;  // for each disc, the next lower one of its column
 };
 
 }  // namespace repose::deposition

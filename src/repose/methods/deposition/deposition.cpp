@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/methods/deposition/deposition.hpp"
 
+#include "repose/core/huge_pages.hpp"
 #include "repose/methods/contacts.hpp"
 #include "repose/methods/deposition/brute_force.hpp"
 #include "repose/methods/deposition/columns.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace repose {
@@ -37,11 +40,18 @@ class Deposition final : public Method<2> {
     const std::int64_t last = std::min<std::int64_t>(time_steps().count(until), settings_.count);
     const Roller<Search> roller(settings_, *search_);
     bool trouble = false;
+    // Discs are drawn some time before they fall, so that what they will meet can be fetched meanwhile.
+    std::array<DroppedDisc, 16> drawn;
     while (made_ < last && !trouble) {
-      const auto drop = settings_.drop(made_);
-      const auto rest = roller.drop(place_of(drop), drop.grain.radius);
-      trouble = !rest || !std::isfinite(rest->x);
-      if (!trouble) add(grains, drop, *rest);
+      const std::span drops(drawn.data(), static_cast<std::size_t>(std::min<std::int64_t>(last - made_, drawn.size())));
+      settings_.draw(made_, drops);
+      for (const auto& drop : drops) search_->prefetch(place_of(drop));
+      for (const auto& drop : drops) {
+        const auto rest = roller.drop(place_of(drop), drop.radius);
+        trouble = !rest || !std::isfinite(rest->x);
+        if (trouble) break;
+        add(grains, drop, *rest);
+      }
     }
     return {time(), made_ - before, trouble};
   }
@@ -51,6 +61,12 @@ class Deposition final : public Method<2> {
     const auto all = grains.size() + static_cast<std::size_t>(settings_.count - made_);
     grains.reserve(all);
     supports_.reserve(all);
+    prefer_huge_pages(grains.line);
+    prefer_huge_pages(grains.id);
+    prefer_huge_pages(grains.material);
+    prefer_huge_pages(grains.base);
+    prefer_huge_pages(grains.reaction);
+    prefer_huge_pages(supports_);
     supports_.resize(grains.size());
     list(grains);
   }
@@ -88,7 +104,7 @@ class Deposition final : public Method<2> {
   double place_of(const DroppedDisc& drop) const {
     const auto& box = settings_.box;
     if (box.periodic) return box.x_min + drop.place * box.width();
-    return box.x_min + drop.grain.radius + drop.place * (box.width() - 2.0 * drop.grain.radius);
+    return box.x_min + drop.radius + drop.place * (box.width() - 2.0 * drop.radius);
   }
 
   double snapped(double length) const {
@@ -98,11 +114,13 @@ class Deposition final : public Method<2> {
   }
 
   void add(Grains<2>& grains, const DroppedDisc& drop, const Rest& rest) {
-    auto grain = drop.grain;
-    grain.position = settings_.box.wrapped(Vec<2>{{snapped(rest.x), snapped(rest.y)}});
     const auto number = static_cast<std::int32_t>(grains.size());
-    const auto id = grains.id.empty() ? 0 : grains.id.back() + 1;
-    grains.add(grain, id, false, drop.material);
+    grains.add({}, grains.id.empty() ? 0 : grains.id.back() + 1, false, drop.material);
+    auto& grain = grains.line.back();  // set in place: a copy would wait for its parts to be stored
+    grain.position = settings_.box.wrapped(Vec<2>{{snapped(rest.x), snapped(rest.y)}});
+    grain.radius = drop.radius;
+    grain.mass = drop.mass;
+    grain.inverse_mass = 1.0 / drop.mass;
     supports_.push_back({rest.first, rest.second});
     search_->add(number);
     ++made_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "repose/core/inline.hpp"
+#include "repose/core/numbers.hpp"
 #include "repose/core/reproducible_math.hpp"
 #include "repose/methods/deposition/settings.hpp"
 
@@ -29,10 +30,10 @@ inline constexpr std::int32_t on_right_wall = -4;
 
 /// A disc in the packing, or an image of it.
 struct Fixed {
-  std::int32_t number = nothing;
   double x = 0.0;  ///< [L]
   double y = 0.0;
   double radius = 0.0;
+  std::int32_t number = nothing;
 };
 
 /// The final position of a disc and its supports.
@@ -53,21 +54,33 @@ struct Landing {
   double y = -std::numeric_limits<double>::infinity();
 };
 
+/// A pack of two numbers.
+using Two = double __attribute__((vector_size(16)));
+REPOSE_FN double root(double number) { return std::sqrt(number); }
+REPOSE_FN Two root(Two numbers) { return Two{std::sqrt(numbers[0]), std::sqrt(numbers[1])}; }
+
 /// A falling disc and its highest landing so far, not above the start.
 struct Fall {
   double x;
   double radius;
-  double start;       ///< [L] y at which the fall starts
-  Fixed leave_out{};  ///< the disc beside which it falls, and which it does not meet
+  double start;     ///< [L] y at which the fall starts
+  Fixed leave_out;  ///< the disc beside which it falls, and which it does not meet; not a number: none
   Landing best{};
 
-  REPOSE_FN void consider(const Fixed& disc) {
-    const double reach = radius + disc.radius;
-    const double dx = x - disc.x;
-    if (!(reach - std::fabs(dx) > grazing * reach)) return;
-    if (disc.number == leave_out.number && disc.x == leave_out.x) return;
-    const double y = disc.y + std::sqrt((reach - dx) * (reach + dx));
-    if (y > start + small_angle * reach) return;
+  /// The height of the centre where it lands on a disc, minus infinity if it passes. T is a number or a pack of them.
+  /// It has no branches, because the processor cannot predict which discs are passed.
+  template <class T>
+  REPOSE_FN T landing(T disc_x, T disc_y, T disc_radius) const {
+    const T reach = radius + disc_radius;
+    const T dx = x - disc_x;
+    const T y = disc_y + root((reach - dx) * (reach + dx));
+    const T aside = dx < 0.0 ? -dx : dx;
+    const auto meets = (reach - aside > grazing * reach) & (y <= start + small_angle * reach) &
+                       ((disc_x != leave_out.x) | (disc_y != leave_out.y));
+    return meets ? y : T{} - std::numeric_limits<double>::infinity();
+  }
+  REPOSE_FN void consider(const Fixed& disc) { land_on(disc, landing(disc.x, disc.y, disc.radius)); }
+  REPOSE_FN void land_on(const Fixed& disc, double y) {
     if (y > best.y || (y == best.y && before(disc, best.on))) best = {disc, y};
   }
   static bool before(const Fixed& a, const Fixed& b) {
@@ -119,7 +132,7 @@ struct Arc {
 };
 
 /// Drops discs onto those that a `Search` knows. A search has the functions `fall(Fall&)` and `roll(Arc&)`, which call
-/// `consider` for every disc and image that could be met.
+/// `consider` for every disc and image that could be met. Its `prefetch(x)` says where a disc will soon fall.
 template <class Search>
 class Roller {
  public:
@@ -131,14 +144,20 @@ class Roller {
                            : reproducible::cos(settings.critical_angle_deg * std::numbers::pi / 180.0)) {}
 
   /// The final position of a disc dropped at x; none if it falls without end or does not come to rest.
-  std::optional<Rest> drop(double x, double radius) const {
-    Fall fall{x, radius, std::numeric_limits<double>::infinity()};
-    if (!land(fall)) return std::nullopt;
-    Rest rest{x, fall.best.y};
-    Fixed pivot = fall.best.on;
+  REPOSE_FN std::optional<Rest> drop(double x, double radius) const {
+    Rest rest{x};
+    Fixed pivot{no_number, no_number};
+    double start = std::numeric_limits<double>::infinity();
     double side = 1.0;
+    bool falls = true;
     constexpr int most_turns = 1'000'000;
     for (int turn = 0; turn < most_turns; ++turn) {
+      if (falls) {
+        const auto landing = land({rest.x, radius, start, pivot});
+        if (!std::isfinite(landing.y)) return std::nullopt;
+        rest.y = landing.y;
+        pivot = landing.on;
+      }
       rest.first = pivot.number;
       if (pivot.number == on_floor) return rest;
       const double dx = rest.x - pivot.x;
@@ -148,43 +167,42 @@ class Roller {
       if (dx != 0.0) side = dx > 0.0 ? 1.0 : -1.0;
       Arc arc{pivot, radius, side, side * dx, dy};
       roll(arc);
-      if (arc.met.number != nothing) {
-        rest.x = pivot.x + side * arc.u;
-        rest.y = pivot.y + arc.y;
-        rest.second = arc.met.number;
-        const bool between = arc.met.number < nothing || side * (arc.met.x - rest.x) > 0.0;
-        if (between) return rest;
-        std::swap(rest.first, rest.second);  // it touches both, and rolls on around the second
-        pivot = arc.met;
+      falls = arc.met.number == nothing;
+      if (falls) {
+        rest.x = pivot.x + side * arc.reach;
+        start = pivot.y;
         continue;
       }
-      rest.x = pivot.x + side * arc.reach;
-      Fall again{rest.x, radius, pivot.y, pivot};
-      if (!land(again)) return std::nullopt;
-      rest.y = again.best.y;
-      pivot = again.best.on;
+      rest.x = pivot.x + side * arc.u;
+      rest.y = pivot.y + arc.y;
+      rest.second = arc.met.number;
+      const bool between = arc.met.number < nothing || side * (arc.met.x - rest.x) > 0.0;
+      if (between) return rest;
+      std::swap(rest.first, rest.second);  // it touches both, and rolls on around the second
+      pivot = arc.met;
     }
     return std::nullopt;
   }
 
  private:
-  bool land(Fall& fall) const {
+  REPOSE_FN Landing land(Fall fall) const {
     search_.fall(fall);
-    if (const double lowest = settings_.floor + fall.radius; lowest > fall.best.y) fall.best = {{on_floor}, lowest};
-    return std::isfinite(fall.best.y);
+    if (const double lowest = settings_.floor + fall.radius; lowest > fall.best.y)
+      return {{.number = on_floor}, lowest};
+    return fall.best;
   }
 
-  void roll(Arc& arc) const {
+  REPOSE_FN void roll(Arc& arc) const {
     search_.roll(arc);
     const auto height = [&](double along) { return std::sqrt((arc.reach - along) * (arc.reach + along)); };
     if (const double low = settings_.floor + arc.radius - arc.pivot.y; low >= 0.0 && low < arc.reach) {
-      arc.meet({on_floor}, height(low), low);
+      arc.meet({.number = on_floor}, height(low), low);
     }
     if (settings_.box.periodic) return;
     const bool right = arc.side > 0.0;
     const double wall = right ? settings_.box.x_max : settings_.box.x_min;
     const double to_wall = arc.side * (wall - arc.pivot.x) - arc.radius;
-    if (to_wall < arc.reach) arc.meet({right ? on_right_wall : on_left_wall}, to_wall, height(to_wall));
+    if (to_wall < arc.reach) arc.meet({.number = right ? on_right_wall : on_left_wall}, to_wall, height(to_wall));
   }
 
   const DepositionSettings& settings_;

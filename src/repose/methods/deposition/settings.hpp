@@ -8,13 +8,15 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <span>
 
 namespace repose {
 
 /// A disc to be dropped.
 struct DroppedDisc {
-  double place = 0.0;  ///< in [0, 1): relative position between the sides
-  Grain<2> grain;      ///< its radius and masses
+  double place = 0.0;   ///< in [0, 1): relative position between the sides
+  double radius = 0.0;  ///< [L]
+  double mass = 0.0;    ///< [M]
   std::uint16_t material = 0;
 };
 
@@ -28,8 +30,9 @@ struct DepositionSettings {
   /// Whether positions are multiples of 2^-40 of the largest radius, so that rounding does not grow from layer to
   /// layer.
   bool snapped = false;
-  std::int64_t count = 0;                         ///< number of discs to deposit
-  std::function<DroppedDisc(std::int64_t)> drop;  ///< the k-th disc, a function of k alone
+  std::int64_t count = 0;  ///< number of discs to deposit
+  /// Fills `discs` with the k-th disc and those that follow. Each is a function of its number alone.
+  std::function<void(std::int64_t k, std::span<DroppedDisc> discs)> draw;
 };
 
 }  // namespace repose

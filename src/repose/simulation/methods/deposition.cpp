@@ -8,6 +8,8 @@
 #include "repose/simulation/sources/draw.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <span>
 
 namespace repose {
 
@@ -20,11 +22,14 @@ std::unique_ptr<Method<2>> DepositionMethod::make(const Scene& scene) const {
   settings.largest_radius = 0.5 * std::max(scene.largest_drawn(), scene.grains.diameter);
   settings.snapped = snaps();
   settings.count = scene.source->released();
-  settings.drop = [seed = static_cast<std::uint64_t>(scene.seed),
-                   draw = GrainDraw(scene, Purpose::grain_species, Purpose::grain_size)](std::int64_t k) {
-    const auto index = static_cast<std::uint64_t>(k);
-    const auto [grain, material] = draw(index);
-    return DroppedDisc{uniform(seed, Purpose::release_position, index), grain, material};
+  settings.draw = [seed = static_cast<std::uint64_t>(scene.seed),
+                   draw = GrainDraw(scene, Purpose::grain_species, Purpose::grain_size)](std::int64_t k,
+                                                                                         std::span<DroppedDisc> discs) {
+    for (auto& disc : discs) {
+      const auto index = static_cast<std::uint64_t>(k++);
+      const auto [grain, material] = draw(index);
+      disc = {uniform(seed, Purpose::release_position, index), grain.radius, grain.mass, material};
+    }
   };
   return make_deposition(settings);
 }
