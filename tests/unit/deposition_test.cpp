@@ -5,6 +5,7 @@
 #include "repose/analysis/packing.hpp"
 #include "repose/analysis/sticking_rule.hpp"
 #include "repose/core/random.hpp"
+#include "repose/methods/contacts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -203,6 +204,34 @@ TEST(Deposition, StepsAreDiscs) {
   EXPECT_EQ(rest.time, 10.0);
   EXPECT_TRUE(method->complete());
   EXPECT_EQ(grains.size(), 10U);
+}
+
+// The contacts of a packing come in blocks, none of them empty or large, in the order of the list.
+TEST(Deposition, ContactsComeInBlocks) {
+  const auto settings = Packer{.width = 100, .count = 70'000, .angle_deg = 90.0}.settings();
+  Grains<2> grains;
+  grains.add({.position = Vec<2>{{50.0, 0.0}}, .radius = 0.5, .mass = 1.0}, 0, true);
+  const auto method = make_deposition(settings);
+  method->grains_added(grains);
+  Team team(1);
+  ASSERT_FALSE(method->advance(grains, 1e9, team).trouble);
+  const auto list = method->contacts(grains).list;
+  const auto blocks = contacts_of_supports(grains, *method->supports(), settings.box);
+  EXPECT_EQ(blocks.size, list.size());
+  EXPECT_GT(list.size(), 65536U);
+  std::size_t seen = 0;
+  blocks.for_each([&](const auto& block) {
+    ASSERT_FALSE(block.empty());
+    ASSERT_LE(seen + block.size(), list.size());
+    EXPECT_LE(block.size(), 65536U);
+    for (const auto& contact : block) {
+      EXPECT_EQ(contact.first, list[seen].first);
+      EXPECT_EQ(contact.second, list[seen].second);
+      EXPECT_NEAR(contact.overlap, 0.0, 1e-11);
+      ++seen;
+    }
+  });
+  EXPECT_EQ(seen, list.size());
 }
 
 // With nothing below, a disc that falls without end is reported as trouble, not an endless loop.

@@ -3,12 +3,16 @@
 #include "repose/io/hdf5_file.hpp"
 
 #include "repose/core/errors.hpp"
+#include "repose/io/hdf5_reader.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 namespace repose {
 namespace {
@@ -56,6 +60,34 @@ TEST_F(Hdf5FileTest, TextFileIsReplacedWhole) {
   std::getline(std::ifstream(path("t")), text);
   EXPECT_EQ(text, "second");
   EXPECT_EQ(entries(), 1U);
+}
+
+// A dataset that comes in blocks is the one that comes at once, in compressed chunks and without.
+TEST_F(Hdf5FileTest, BlocksMakeOneDataset) {
+  for (const std::size_t rows : {0U, 7U, 40000U}) {
+    std::vector<double> values(2 * rows);
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] = 0.1 * static_cast<double>(k);
+    Hdf5File file(path("a.h5"));
+    file.dataset("whole", values, 2, "L", "test");
+    file.expect_blocks(rows);
+    constexpr std::size_t most = 6000;  // not a multiple of a chunk
+    std::size_t first = 0;
+    do {
+      const auto end = std::min(values.size(), first + most);
+      file.dataset("blocks",
+                   std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(first),
+                                       values.begin() + static_cast<std::ptrdiff_t>(end)),
+                   2, "L", "test");
+      first = end;
+    } while (first < values.size());
+    file.dataset("after", std::vector<double>{1.0}, 1, "L", "test");
+    file.commit();
+    const Hdf5Reader reader(path("a.h5"));
+    EXPECT_EQ(reader.dataset<double>("whole", 2), values);
+    EXPECT_EQ(reader.dataset<double>("blocks", 2), values);
+    EXPECT_EQ(reader.dataset<double>("after"), std::vector<double>{1.0});
+    EXPECT_EQ(reader.text("blocks", "unit"), "L");
+  }
 }
 
 }  // namespace

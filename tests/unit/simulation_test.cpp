@@ -176,6 +176,10 @@ TEST(Simulation, PiecesAndObserversLeaveTheBits) {
       pieces.observe_every(37.0 * pieces.time_step(), [&](const Simulation& s) { seldom.observe(s); });
       advance_in_pieces(pieces, forever, static_cast<std::uint64_t>(threads));
       expect_same(record, pieces.record(), std::to_string(threads) + " threads, in pieces");
+      const auto copied = contacts_of(record).size;
+      const auto last = pieces.last_record();
+      expect_same(record, last, "the last record");
+      EXPECT_EQ(copied, contacts_of(last).size);
       for (std::size_t k = 0; k < seldom.times.size(); ++k) {
         EXPECT_EQ(seldom.times[k], static_cast<double>(37 * (k + 1)) * pieces.time_step());
       }

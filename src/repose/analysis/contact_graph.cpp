@@ -6,32 +6,34 @@
 #include "repose/neighbours/near_pairs.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace repose {
 
 ContactGraph contact_graph(const Discs& discs, const Box<2>& box, double gap) {
   ContactGraph graph;
-  graph.start.assign(discs.size() + 1, 0);
+  auto& start = graph.start;
+  start.assign(discs.size() + 1, 0);
   if (discs.size() == 0) return graph;
   const double largest = *std::max_element(discs.radius.begin(), discs.radius.end());
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  pairs.reserve(2 * discs.size());
-  for_near_pairs(discs.position, box, 2.0 * largest * (1.0 + gap), [&](std::uint32_t i, std::uint32_t j) {
-    if (!touch(discs, box, gap, i, j)) return;
-    pairs.emplace_back(i, j);
-    ++graph.start[i + 1];
-    ++graph.start[j + 1];
+  // Contacts are found twice, first to count them: a list of them would need more memory than the graph.
+  const auto for_contacts = [&](const auto& use) {
+    for_near_pairs(discs.position, box, 2.0 * largest * (1.0 + gap), [&](std::uint32_t i, std::uint32_t j) {
+      if (touch(discs, box, gap, i, j)) use(i, j);
+    });
+  };
+  for_contacts([&](std::uint32_t i, std::uint32_t j) {
+    ++start[i];
+    ++start[j];
   });
-  for (std::size_t k = 0; k < discs.size(); ++k) graph.start[k + 1] += graph.start[k];
-  graph.neighbour.resize(2 * pairs.size());
-  std::vector<std::uint32_t> next(graph.start.begin(), graph.start.end() - 1);
-  for (const auto& [i, j] : pairs) {
-    graph.neighbour[next[i]++] = j;
-    graph.neighbour[next[j]++] = i;
-  }
+  // Each start is the end of its disc until the neighbours are filled in from there downward.
+  for (std::size_t k = 0; k < discs.size(); ++k) start[k + 1] += start[k];
+  graph.neighbour.resize(start.back());
+  for_contacts([&](std::uint32_t i, std::uint32_t j) {
+    graph.neighbour[--start[i]] = j;
+    graph.neighbour[--start[j]] = i;
+  });
   for (std::size_t k = 0; k < discs.size(); ++k) {
-    std::sort(graph.neighbour.begin() + graph.start[k], graph.neighbour.begin() + graph.start[k + 1]);
+    std::sort(graph.neighbour.begin() + start[k], graph.neighbour.begin() + start[k + 1]);
   }
   return graph;
 }
@@ -52,10 +54,10 @@ std::vector<std::uint8_t> rattlers(const Discs& discs, const ContactGraph& graph
                                    const std::vector<std::uint8_t>& on_walls, std::size_t least) {
   REPOSE_ASSERT(on_walls.size() == discs.size());
   std::vector<std::uint8_t> gone(discs.size(), 0);
-  std::vector<std::size_t> left(discs.size());
+  std::vector<std::uint32_t> left(discs.size());
   std::vector<std::uint32_t> waiting;
   for (std::uint32_t k = 0; k < discs.size(); ++k) {
-    left[k] = graph.degree(k) + on_walls[k];
+    left[k] = static_cast<std::uint32_t>(graph.degree(k)) + on_walls[k];
     if (discs.base[k] || left[k] >= least) continue;
     gone[k] = 1;
     waiting.push_back(k);

@@ -42,8 +42,8 @@ int carry_out(Simulation& simulation, RunFolder& folder, bool quiet) {
   folder.run(simulation, interrupted);
   progress.finish();
   std::string result;
-  folder.write(simulation,
-               [&](const Record& record, const Results& results) { result = describe_result(record, results); });
+  folder.write_last(simulation,
+                    [&](const Record& record, const Results& results) { result = describe_result(record, results); });
   if (simulation.status() == Status::failed) throw RunError(simulation.message());
   const bool stopped = simulation.status() == Status::interrupted;
   if (!quiet) {

@@ -5,7 +5,9 @@
 #include "repose/core/vec.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <tuple>
 #include <vector>
 
@@ -49,6 +51,28 @@ struct Contacts {
     };
     if (!std::is_sorted(list.begin(), list.end(), before)) std::sort(list.begin(), list.end(), before);
   }
+};
+
+/// Contacts in their order, some at a time, so that not all of them need to be in memory at once.
+template <int D>
+struct ContactBlocks {
+  using Use = std::function<void(const std::vector<Contact<D>>& block)>;
+
+  std::size_t size = 0;  ///< of all blocks together
+  /// Calls a function with block after block, none of them empty; with an empty one if there are no contacts.
+  std::function<void(const Use&)> for_each;
+};
+
+/// A list as a single block. It refers to the list.
+template <int D>
+ContactBlocks<D> blocks_of(const Contacts<D>& contacts) {
+  return {contacts.size(), [&contacts](const auto& use) { use(contacts.list); }};
+}
+
+/// The grains on which a grain came to rest, by their places in memory; negative where there is none.
+struct SupportPair {
+  std::int32_t first = -1;
+  std::int32_t second = -1;
 };
 
 }  // namespace repose

@@ -47,7 +47,9 @@ struct Grains {
   std::vector<std::int64_t> id;
   std::vector<std::uint16_t> material;
   std::vector<std::uint8_t> base;  ///< 1: belongs to the base
-  std::vector<Vec<D>> reaction;    ///< [M L/T] contact force on a fixed grain, summed over time since the last reset
+  /// [M L/T] contact force on a fixed grain, summed over time since the last reset. A method without forces may empty
+  /// it; it then stays empty.
+  std::vector<Vec<D>> reaction;
   std::vector<HalfStep<D>> half_step;  ///< empty unless the method predicts velocities
 
   std::size_t size() const { return line.size(); }
@@ -57,7 +59,7 @@ struct Grains {
     id.push_back(stable_id);
     material.push_back(material_number);
     base.push_back(is_base ? 1 : 0);
-    reaction.push_back({});
+    if (!reaction.empty() || line.size() == 1) reaction.push_back({});
     if (!half_step.empty()) half_step.push_back({grain.velocity, grain.rim_velocity});
   }
 
@@ -77,9 +79,10 @@ struct Grains {
     archive.array("grains/base", base);
     archive.array("grains/reaction", reaction);
     archive.array("grains/half_step", half_step);
-    for (const auto count : {id.size(), material.size(), base.size(), reaction.size()}) {
+    for (const auto count : {id.size(), material.size(), base.size()}) {
       archive.check("grains", count == size());
     }
+    archive.check("grains/reaction", reaction.empty() || reaction.size() == size());
     archive.check("grains/half_step", half_step.empty() || half_step.size() == size());
   }
 
@@ -89,7 +92,8 @@ struct Grains {
     take(from.id, order, id);
     take(from.material, order, material);
     take(from.base, order, base);
-    take(from.reaction, order, reaction);
+    reaction.clear();
+    if (!from.reaction.empty()) take(from.reaction, order, reaction);
     half_step.clear();
     if (!from.half_step.empty()) take(from.half_step, order, half_step);
   }

@@ -149,6 +149,17 @@ void write_columns(Hdf5File& file, const std::string& group, const Columns<From>
   for (const auto& column : columns) column.write(file, group + "/" + column.name, from);
 }
 
+/// The same for rows that are not all in memory. Each call of `for_each(use)` calls use(block) with block after block,
+/// none of them empty, or with an empty one if there are no rows. Not for texts.
+template <class Row, class ForEach>
+void write_columns_in_blocks(Hdf5File& file, const std::string& group, const Columns<std::vector<Row>>& columns,
+                             std::size_t rows, const ForEach& for_each) {
+  for (const auto& column : columns) {
+    file.expect_blocks(rows);
+    for_each([&](const std::vector<Row>& block) { column.write(file, group + "/" + column.name, block); });
+  }
+}
+
 /// Throws InputError where a column is missing that older programs wrote too, or where one is not as long as the others
 /// and `rows`.
 template <class From>

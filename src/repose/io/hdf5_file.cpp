@@ -118,26 +118,42 @@ void Hdf5File::table(const std::string& name, const std::vector<double>& values,
   write(name, values, columns, 2, unit, meaning);
 }
 
+void Hdf5File::create(const std::string& name, std::int64_t type, std::size_t rows, std::size_t columns, int rank) {
+  const hsize_t shape[2] = {rows, columns};
+  const Handle space(H5Screate_simple(rank, shape, nullptr), H5Sclose);
+  const Handle layout(same_bits_layout(), H5Pclose);
+  if (rows * columns >= worth_compressing) {
+    const hsize_t chunk[2] = {std::min<hsize_t>(rows, worth_compressing), columns};
+    H5Pset_chunk(layout.id(), rank, chunk);
+    H5Pset_shuffle(layout.id());
+    H5Pset_deflate(layout.id(), 4);
+  }
+  const Handle dataset(H5Dcreate2(file_, name.c_str(), type, space.id(), H5P_DEFAULT, layout.id(), H5P_DEFAULT),
+                       H5Dclose);
+  if (dataset.failed()) fail();
+}
+
 template <class T>
 void Hdf5File::write(const std::string& name, const std::vector<T>& values, std::size_t columns, int rank,
                      std::string_view unit, std::string_view meaning) {
-  const hsize_t shape[2] = {values.size() / columns, columns};
-  {
-    const Handle space(H5Screate_simple(rank, shape, nullptr), H5Sclose);
-    const Handle layout(same_bits_layout(), H5Pclose);
-    if (values.size() >= worth_compressing) {
-      const hsize_t chunk[2] = {std::min<hsize_t>(shape[0], worth_compressing), columns};
-      H5Pset_chunk(layout.id(), rank, chunk);
-      H5Pset_shuffle(layout.id());
-      H5Pset_deflate(layout.id(), 4);
-    }
-    const Handle dataset(
-        H5Dcreate2(file_, name.c_str(), native_type<T>(), space.id(), H5P_DEFAULT, layout.id(), H5P_DEFAULT), H5Dclose);
+  const hsize_t rows = values.size() / columns;
+  const auto all = expected_.value_or(rows);
+  REPOSE_ASSERT(written_ + rows <= all);
+  if (written_ == 0) create(name, native_type<T>(), all, columns, rank);
+  if (rows > 0) {
+    const hsize_t start[2] = {written_, 0};
+    const hsize_t shape[2] = {rows, columns};
+    const Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
     if (dataset.failed()) fail();
-    if (!values.empty() && H5Dwrite(dataset.id(), native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
-      fail();
-    }
+    const Handle block(H5Screate_simple(rank, shape, nullptr), H5Sclose);
+    const Handle space(H5Dget_space(dataset.id()), H5Sclose);
+    H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start, nullptr, shape, nullptr);
+    if (H5Dwrite(dataset.id(), native_type<T>(), block.id(), space.id(), H5P_DEFAULT, values.data()) < 0) fail();
   }
+  written_ += rows;
+  if (written_ < all) return;
+  expected_.reset();
+  written_ = 0;
   attribute(name, "unit", units_ == "SI" ? in_si(unit) : std::string(unit));
   attribute(name, "meaning", std::string(meaning));
 }

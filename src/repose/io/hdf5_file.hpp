@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,9 @@ class Hdf5File {
   void dataset(const std::string& name, const std::vector<T>& values, std::size_t columns, std::string_view unit,
                std::string_view meaning);
 
+  /// The next dataset gets so many rows from several calls of `dataset` or `table`, each of which adds rows.
+  void expect_blocks(std::size_t rows) { expected_ = rows; }
+
   /// A dataset of shape (n, columns), even of one column.
   void table(const std::string& name, const std::vector<double>& values, std::size_t columns, std::string_view unit,
              std::string_view meaning);
@@ -52,12 +56,15 @@ class Hdf5File {
   template <class T>
   void write(const std::string& name, const std::vector<T>& values, std::size_t columns, int rank,
              std::string_view unit, std::string_view meaning);
+  void create(const std::string& name, std::int64_t type, std::size_t rows, std::size_t columns, int rank);
   [[noreturn]] void fail() const;
 
   std::string path_;
   std::string units_;
   std::string temporary_;
   std::int64_t file_ = -1;
+  std::optional<std::size_t> expected_;  // rows of the dataset that is written in blocks
+  std::size_t written_ = 0;              // of these rows
 };
 
 /// Makes `text` the content of a file, all or nothing, flushed to the disk.

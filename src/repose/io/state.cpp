@@ -56,19 +56,25 @@ const Columns<std::vector<Contact<D>>>& contact_columns() {
 
 template <int D>
 void write_grains(Hdf5File& file, const OrderedGrains<D>& grains) {
-  std::vector<GrainState<D>> rows;
-  rows.reserve(grains.size());
-  for (std::size_t k = 0; k < grains.size(); ++k) {
-    const auto& grain = grains->line[k];
-    rows.push_back({grains->id[k], grain.position, grain.velocity, grain.rim_velocity * (1.0 / grain.radius),
-                    grain.radius, grain.mass, grain.fixed(), grains->base[k] != 0, grains->material[k]});
-  }
+  constexpr std::size_t most = 65536;
   file.group("grains");
-  write_columns(file, "grains", grain_state_columns<D>(), rows);
+  write_columns_in_blocks(file, "grains", grain_state_columns<D>(), grains.size(), [&](const auto& use) {
+    std::vector<GrainState<D>> rows;
+    for (std::size_t k = 0; k < grains.size(); ++k) {
+      if (rows.size() == most) {
+        use(rows);
+        rows.clear();
+      }
+      const auto& grain = grains->line[k];
+      rows.push_back({grains->id[k], grain.position, grain.velocity, grain.rim_velocity * (1.0 / grain.radius),
+                      grain.radius, grain.mass, grain.fixed(), grains->base[k] != 0, grains->material[k]});
+    }
+    use(rows);
+  });
 }
 
 template <int D>
-void write_contacts(Hdf5File& file, const Contacts<D>& contacts, const OrderedGrains<D>& grains, bool forces) {
+void write_contacts(Hdf5File& file, const ContactBlocks<D>& contacts, const OrderedGrains<D>& grains, bool forces) {
   auto columns = contact_columns<D>();
   if (!forces) std::erase_if(columns, [](const auto& column) { return column.optional; });
   const auto point = [&](const Contact<D>& contact) {
@@ -76,7 +82,7 @@ void write_contacts(Hdf5File& file, const Contacts<D>& contacts, const OrderedGr
   };
   columns.push_back(column<Contact<D>>("point", point, "L", "where the contact is, beside its first partner"));
   file.group("contacts");
-  write_columns(file, "contacts", columns, contacts.list);
+  write_columns_in_blocks(file, "contacts", columns, contacts.size, contacts.for_each);
 }
 
 template <int D>
@@ -112,7 +118,7 @@ Contacts<D> read_contacts(const Hdf5Reader& file) {
   return contacts;
 }
 
-std::string state_hash(const Grains<2>& grains, const Contacts<2>& contacts) {
+std::string state_hash(const Grains<2>& grains, const ContactBlocks<2>& contacts) {
   Hash hash;
   const auto add = [&](const auto& value) { hash.add(&value, sizeof value); };
   hash.add(grains.id);
@@ -125,18 +131,20 @@ std::string state_hash(const Grains<2>& grains, const Contacts<2>& contacts) {
   for (const auto& half : grains.half_step) {
     for (const double number : {half.velocity[0], half.velocity[1], half.rim_velocity}) add(number);
   }
-  for (const auto& contact : contacts.list) {
-    add(contact.first);
-    add(contact.second);
-    add(contact.slip);
-  }
+  contacts.for_each([&](const auto& block) {
+    for (const auto& contact : block) {
+      add(contact.first);
+      add(contact.second);
+      add(contact.slip);
+    }
+  });
   return hash.text();
 }
 
 template const Columns<std::vector<GrainState<2>>>& grain_state_columns();
 template const Columns<std::vector<Contact<2>>>& contact_columns();
 template void write_grains(Hdf5File&, const OrderedGrains<2>&);
-template void write_contacts(Hdf5File&, const Contacts<2>&, const OrderedGrains<2>&, bool);
+template void write_contacts(Hdf5File&, const ContactBlocks<2>&, const OrderedGrains<2>&, bool);
 template Grains<2> read_grains(const Hdf5Reader&);
 template Contacts<2> read_contacts(const Hdf5Reader&);
 

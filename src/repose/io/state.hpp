@@ -37,7 +37,7 @@ template <int D>
 void write_grains(Hdf5File& file, const OrderedGrains<D>& grains);
 /// Without `forces` the columns of forces and what belongs to them are left out. `grains` holds the partners.
 template <int D>
-void write_contacts(Hdf5File& file, const Contacts<D>& contacts, const OrderedGrains<D>& grains, bool forces);
+void write_contacts(Hdf5File& file, const ContactBlocks<D>& contacts, const OrderedGrains<D>& grains, bool forces);
 
 /// The grains of a file in its order. Throws InputError where the group is not as write_grains makes it.
 template <int D>
@@ -46,6 +46,6 @@ template <int D>
 Contacts<D> read_contacts(const Hdf5Reader& file);
 
 /// XXH3-128 of the exact bits of the motion and the contacts, in their order in `grains` and `contacts` (D = 2).
-std::string state_hash(const Grains<2>& grains, const Contacts<2>& contacts);
+std::string state_hash(const Grains<2>& grains, const ContactBlocks<2>& contacts);
 
 }  // namespace repose

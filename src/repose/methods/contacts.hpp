@@ -46,4 +46,28 @@ Contact<D> contact_with_wall(const Grains<D>& grains, std::size_t grain, const s
   return contact;
 }
 
+/// The contacts that follow from what each grain came to rest on. They refer to the grains and the supports.
+template <int D>
+ContactBlocks<D> contacts_of_supports(const Grains<D>& grains, const std::vector<SupportPair>& supports,
+                                      const Box<D>& box) {
+  std::size_t count = 0;
+  for (const auto& both : supports) count += (both.first >= 0 ? 1U : 0U) + (both.second >= 0 ? 1U : 0U);
+  return {count, [&grains, &supports, box](const auto& use) {
+            constexpr std::size_t most = 65536;
+            std::vector<Contact<D>> block;
+            for (std::size_t k = 0; k < supports.size(); ++k) {
+              const auto [low, high] = std::minmax(supports[k].first, supports[k].second);
+              for (const auto support : {low, high}) {
+                if (support < 0) continue;
+                if (block.size() == most) {
+                  use(block);
+                  block.clear();
+                }
+                block.push_back(contact_of_grains(grains, k, static_cast<std::size_t>(support), box));
+              }
+            }
+            use(block);
+          }};
+}
+
 }  // namespace repose

@@ -73,6 +73,9 @@ class Method {
   /// Contacts of the present state, ordered by ids.
   virtual Contacts<D> contacts(const Grains<D>& /*grains*/) const { return {}; }
 
+  /// For each grain what it came to rest on, where all contacts follow from that; else null.
+  virtual const std::vector<SupportPair>* supports() const { return nullptr; }
+
   /// Sets the slip displacements of contacts to those of another run, as its `contacts` reported them; pairs are found
   /// by ids. The Simulation calls this at the start, after a refresh.
   virtual void set_slip_displacements(const Grains<D>& /*grains*/, const Contacts<D>& /*contacts*/) {}

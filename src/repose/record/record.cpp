@@ -3,6 +3,7 @@
 #include "repose/record/record.hpp"
 
 #include "repose/analysis/wall_span.hpp"
+#include "repose/methods/contacts.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -65,6 +66,11 @@ std::vector<RecordedWall> walls_at(const Record& record, double time) {
     states[w].displacement = before + passed * (displacement(next) - before);
   }
   return recorded_walls(record.scene, states, time);
+}
+
+ContactBlocks<2> contacts_of(const Record& record) {
+  if (record.supports.empty()) return blocks_of(record.contacts);
+  return contacts_of_supports(*record.grains, record.supports, record.box);
 }
 
 CollisionAccount collision_account(const Record& record) {

@@ -76,7 +76,8 @@ struct Record {
   Box<2> box;
   std::vector<RecordedWall> walls;  ///< as they stand, by number
   OrderedGrains<2> grains;
-  Contacts<2> contacts;
+  Contacts<2> contacts;               ///< empty where they follow from `supports`
+  std::vector<SupportPair> supports;  ///< for each grain what it came to rest on, by places in `grains`; or empty
   std::vector<SeriesRow> series;
   std::vector<WallRow> wall_series;        ///< for each row of the series, a row for each wall
   std::vector<ColumnRow> column_series;    ///< for each row of the series; empty where the scene has no pipe
@@ -87,6 +88,9 @@ struct Record {
 
 /// The walls as they stood at a time [T]: where the rows of the series have them, and between these on a straight line.
 std::vector<RecordedWall> walls_at(const Record& record, double time);
+
+/// All contacts of a record, which must outlive them.
+ContactBlocks<2> contacts_of(const Record& record);
 
 /// What the solver did from the start to the last row of the series.
 SolverAccount solver_account(const Record& record);

@@ -95,7 +95,7 @@ void write_record(const std::string& path, const Record& record, const std::vect
   write_attributes(file, "/", run_attributes(), record);
   file.texts("scene", {scene_text(record.scene)}, "the scene that was run, complete");
   write_grains(file, record.grains);
-  write_contacts(file, record.contacts, record.grains, record.scene.method->traits().has_forces());
+  write_contacts(file, contacts_of(record), record.grains, record.scene.method->traits().has_forces());
   if (!record.walls.empty()) write_group(file, wall_group(), record.walls);
   write_group(file, series_group(), record.series);
   if (!record.wall_series.empty()) write_columns(file, "series", wall_series_columns(), record);

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -139,11 +140,11 @@ class RunFolder::Frames final : public Observer {
   void observe(const Simulation& simulation) override {
     if (simulation.status() != Status::running) return;
     const Profile::Stage stage(simulation.profile(), "frames");
-    const auto record = simulation.record();
+    auto record = simulation.record();
     folder_.lock_->check_place();
     folder_.write_track(simulation);
     folder_.write_frame(record);
-    folder_.write_run(simulation, record);
+    folder_.write_run(simulation, std::move(record));
   }
 
  private:
@@ -200,7 +201,7 @@ void RunFolder::write_frame(const Record& record) {
   file.attribute("/", "state_hash", record.facts.state_hash);
   file.attribute("/", "scene_hash", record.facts.scene_hash);
   write_grains(file, record.grains);
-  write_contacts(file, record.contacts, record.grains, record.scene.method->traits().has_forces());
+  write_contacts(file, contacts_of(record), record.grains, record.scene.method->traits().has_forces());
   file.commit();
   frames_.push_back(name);
 }
@@ -209,7 +210,18 @@ void RunFolder::write(const Simulation& simulation, const Written& written) {
   lock_->check_place();
   write_track(simulation);
   write_run(simulation, simulation.record(), written);
-  if (simulation.status() == Status::finished || simulation.status() == Status::failed) remove_checkpoints(path_);
+  remove_needless_checkpoints(simulation.status());
+}
+
+void RunFolder::write_last(Simulation& simulation, const Written& written) {
+  lock_->check_place();
+  write_track(simulation);
+  write_run(simulation, simulation.last_record(), written);
+  remove_needless_checkpoints(simulation.status());
+}
+
+void RunFolder::remove_needless_checkpoints(Status status) {
+  if (status == Status::finished || status == Status::failed) remove_checkpoints(path_);
 }
 
 void RunFolder::write_profile(const Simulation& simulation) {
@@ -217,10 +229,11 @@ void RunFolder::write_profile(const Simulation& simulation) {
   write_text_file(path_ + "/" + profile_file, profile_text(simulation));
 }
 
-void RunFolder::write_run(const Simulation& simulation, const Record& record, const Written& written) {
+void RunFolder::write_run(const Simulation& simulation, Record record, const Written& written) {
   const Profile::Stage stage(simulation.profile(), "writing");
   lock_->check_place();
   write_record(path_ + "/run.h5", record, frames_, segments_);
+  record.supports = {};  // the analysis finds contacts by geometry
   const auto results = [&] {
     const Profile::Stage inner(simulation.profile(), "analysis");
     return analyse(record, {});

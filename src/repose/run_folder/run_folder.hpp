@@ -44,6 +44,9 @@ class RunFolder {
   /// Writes the present state and its analysis. Throws RunError; the files of an earlier state stay then.
   void write(const Simulation& simulation, const Written& written = {});
 
+  /// The same for a run that ends here (Simulation::last_record).
+  void write_last(Simulation& simulation, const Written& written);
+
   /// Writes profile.json, for a simulation whose profile has been started. Throws RunError.
   void write_profile(const Simulation& simulation);
 
@@ -57,7 +60,8 @@ class RunFolder {
 
   void write_track(const Simulation& simulation);
   void write_frame(const Record& record);
-  void write_run(const Simulation& simulation, const Record& record, const Written& written = {});
+  void write_run(const Simulation& simulation, Record record, const Written& written = {});
+  void remove_needless_checkpoints(Status status);
 
   using Clock = std::chrono::steady_clock;
 

@@ -52,7 +52,7 @@ void BaseForces::record(Grains<2>& grains, double time) {
   interval.start = intervals_.empty() ? 0.0 : intervals_.back().end;
   interval.end = time;
   interval.impulse.resize(ids_.size());
-  for (std::size_t k = 0; k < grains.size(); ++k) {
+  for (std::size_t k = 0; k < grains.reaction.size(); ++k) {
     if (!grains.line[k].fixed()) continue;
     interval.impulse[place_of(grains.id[k])] = grains.reaction[k];
     grains.reaction[k] = {};

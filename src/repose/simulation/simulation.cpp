@@ -249,9 +249,12 @@ const Contacts<2>& Simulation::contacts() const {
 
 std::int64_t Simulation::released() const { return source_->released() + method_->made(); }
 
-std::int64_t Simulation::lost() const {
-  return placed_ + released() - static_cast<std::int64_t>(moving_count(grains_));
+/// Grains that have left when these are present.
+std::int64_t Simulation::lost_but(const Grains<2>& present) const {
+  return placed_ + released() - static_cast<std::int64_t>(moving_count(present));
 }
+
+std::int64_t Simulation::lost() const { return lost_but(grains_); }
 
 double Simulation::wall_seconds() const {
   return seconds_ + (since_ ? std::chrono::duration<double>(Clock::now() - *since_).count() : 0.0);
@@ -290,15 +293,35 @@ void Simulation::restored(Track track) {
   begun_ = true;
 }
 
-Record Simulation::record() const {
+Record Simulation::record() const { return record_of(grains_); }
+
+Record Simulation::last_record() {
+  if (method_->supports() == nullptr) contacts();
+  auto record = record_of(std::move(grains_));
+  contacts_.reset();
+  method_.reset();
+  return record;
+}
+
+/// The record of the present state with these grains, which are those of the simulation. They may have been moved out.
+Record Simulation::record_of(Grains<2> present) const {
   Record record;
   record.scene = scene_;
   record.box = make_box(scene_);
-  auto present = grains_;
-  record.contacts = contacts();
-  const auto left = drop_outside(record.box, present, record.contacts);
-  record.grains = OrderedGrains<2>(std::move(present), record.box);
+  record.walls = recorded_walls(scene_, method_->walls(), time());
+  const auto crossed = method_->wall_crossings(present);
+  for (std::size_t w = 0; w < crossed.size(); ++w) record.walls[w].crossed = crossed[w];
+  const double unit = scene_.base_force_unit();
+  if (!scene_.base->wall(scene_)) record.base = base_forces_.profile(present, unit);
   auto& facts = record.facts;
+  facts.lost = lost_but(present);
+  if (const auto* supports = method_->supports()) {
+    record.supports = *supports;
+  } else {
+    record.contacts = contacts();
+    facts.lost += drop_outside(record.box, present, record.contacts);
+  }
+  record.grains = OrderedGrains<2>(std::move(present), record.box);
   facts.status = status_;
   facts.message = message_;
   facts.time = time();
@@ -308,20 +331,16 @@ Record Simulation::record() const {
   facts.wall_seconds = wall_seconds();
   facts.grain_steps = grain_steps_;
   facts.released = released();
-  facts.lost = lost() + left;
   facts.support_force = base_forces_.force_on_supports(record.contacts);
-  record.walls = recorded_walls(scene_, method_->walls(), time());
-  const auto crossed = method_->wall_crossings(grains_);
-  for (std::size_t w = 0; w < crossed.size(); ++w) record.walls[w].crossed = crossed[w];
-  facts.state_hash = state_hash(*record.grains, record.contacts);
+  facts.state_hash = state_hash(*record.grains, contacts_of(record));
   facts.scene_hash = hash_of(scene_text(scene_));
   record.series = series_.rows();
   record.wall_series = series_.walls();
   record.column_series = series_.columns();
   record.column_slices = series_.slices();
-  const double unit = scene_.base_force_unit();
-  record.base = scene_.base->wall(scene_) ? floor_profile(*record.grains, record.contacts, base_wall, facts.time, unit)
-                                          : base_forces_.profile(grains_, unit);
+  if (scene_.base->wall(scene_)) {
+    record.base = floor_profile(*record.grains, record.contacts, base_wall, facts.time, unit);
+  }
   record.track = track_.track();
   return record;
 }

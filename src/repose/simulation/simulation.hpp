@@ -71,6 +71,9 @@ class Simulation {
   const Track& track() const { return track_.track(); }
   /// All that there is to know of the run so far.
   Record record() const;
+  /// The same for a run that ends here, without a copy of its grains. Afterwards the simulation cannot continue; only
+  /// its scene, status and message may be asked for.
+  Record last_record();
 
   Status status() const { return status_; }
   const std::string& message() const { return message_; }  ///< why it stopped
@@ -104,6 +107,8 @@ class Simulation {
   void refresh();
   double apex() const;
   void stop(Status status, std::string message);
+  Record record_of(Grains<2> present) const;
+  std::int64_t lost_but(const Grains<2>& present) const;
 
   Scene scene_;
   Team team_;

@@ -20,12 +20,6 @@ namespace {
 
 using namespace deposition;
 
-/// The supports of a disc; see Rest.
-struct Supports {
-  std::int32_t first = nothing;
-  std::int32_t second = nothing;
-};
-
 template <class Search>
 class Deposition final : public Method<2> {
  public:
@@ -35,7 +29,9 @@ class Deposition final : public Method<2> {
   double time() const override { return static_cast<double>(made_); }
 
   StepReport advance(Grains<2>& grains, double until, Team& /*team*/) override {
+    if (complete()) return {time()};
     const auto stage = in_stage("dropping discs");
+    grains.reaction.clear();  // there are no forces
     const std::int64_t before = made_;
     const std::int64_t last = std::min<std::int64_t>(time_steps().count(until), settings_.count);
     const Roller<Search> roller(settings_, *search_);
@@ -53,6 +49,7 @@ class Deposition final : public Method<2> {
         add(grains, drop, *rest);
       }
     }
+    if (complete()) search_.reset();  // its memory is better used to write and analyse the packing
     return {time(), made_ - before, trouble};
   }
 
@@ -65,7 +62,6 @@ class Deposition final : public Method<2> {
     prefer_huge_pages(grains.id);
     prefer_huge_pages(grains.material);
     prefer_huge_pages(grains.base);
-    prefer_huge_pages(grains.reaction);
     prefer_huge_pages(supports_);
     supports_.resize(grains.size());
     list(grains);
@@ -75,18 +71,13 @@ class Deposition final : public Method<2> {
 
   Contacts<2> contacts(const Grains<2>& grains) const override {
     Contacts<2> contacts;
-    std::size_t count = 0;
-    for (const auto& support : supports_) count += (support.first >= 0 ? 1U : 0U) + (support.second >= 0 ? 1U : 0U);
-    contacts.list.reserve(count);
-    for (std::size_t k = 0; k < supports_.size(); ++k) {
-      const auto [low, high] = std::minmax(supports_[k].first, supports_[k].second);
-      for (const auto support : {low, high}) {
-        if (support >= 0)
-          contacts.list.push_back(contact_of_grains(grains, k, static_cast<std::size_t>(support), settings_.box));
-      }
-    }
+    const auto blocks = contacts_of_supports(grains, supports_, settings_.box);
+    contacts.list.reserve(blocks.size);
+    blocks.for_each([&](const auto& block) { contacts.list.insert(contacts.list.end(), block.begin(), block.end()); });
     return contacts;
   }
+
+  const std::vector<SupportPair>* supports() const override { return &supports_; }
 
   void exchange(Archive& archive) override {
     archive.value("deposition/made", made_);
@@ -133,7 +124,7 @@ class Deposition final : public Method<2> {
 
   DepositionSettings settings_;
   std::optional<Search> search_;
-  std::vector<Supports> supports_;  // one entry per grain, in memory order, which here is the order of ids
+  std::vector<SupportPair> supports_;  // one entry per grain, in memory order, which here is the order of ids
   std::int64_t made_ = 0;
 };
 
