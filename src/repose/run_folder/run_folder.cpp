@@ -22,6 +22,7 @@
 #include <filesystem>
 #include <iterator>
 #include <utility>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -233,7 +234,7 @@ void RunFolder::write_run(const Simulation& simulation, Record record, const Wri
   const Profile::Stage stage(simulation.profile(), "writing");
   lock_->check_place();
   write_record(path_ + "/run.h5", record, frames_, segments_);
-  record.supports = {};  // the analysis finds contacts by geometry
+  record.supports = std::vector<SupportPair>();  // gives its memory back: the analysis finds contacts by geometry
   const auto results = [&] {
     const Profile::Stage inner(simulation.profile(), "analysis");
     return analyse(record, {});
