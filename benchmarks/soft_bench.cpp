@@ -36,7 +36,8 @@ int time_steps(const Case& wanted) {
   method->grains_added(grains);
   const auto moving = static_cast<double>(moving_count(grains));
   constexpr double grain_steps = 5e5;  // of a piece, some hundredths of a second
-  const long steps = std::max(20L, std::lround(grain_steps / moving));  // a run takes more between two rows of its series
+  const long steps =
+      std::max(20L, std::lround(grain_steps / moving));  // a run takes more between two rows of its series
   const auto advance = [&] {
     const auto until = method->time_steps().later(method->time(), method->time_steps().after(steps));
     const auto report = method->advance(grains, until, team);
