@@ -50,9 +50,11 @@ def test_table_is_one_and_names_each_case_once():
     assert "8.4 (8-8.8)" in lines[3] and "YADE" not in lines[0]
 
 
-def test_bars_are_those_of_the_best_instructions():
-    (what, value, bar, met), *_ = bars.check(soft_rows())
-    assert what.startswith("soft 2D") and value == pytest.approx(8.4) and met and bar == 2.5
+def test_bars_are_those_of_the_instructions_and_threads():
+    over_lammps, threads = bars.check(soft_rows())
+    assert over_lammps == ("soft 2D, 10000 grains, avx512: rate over LAMMPS", pytest.approx(8.4), 6.5, True)
+    assert threads[0].endswith("two threads over one")
+    assert threads[1:] == (pytest.approx((1.5 + 60 / 44) / 2), 1.85, False)
     assert bars.check([]) == []
 
 
