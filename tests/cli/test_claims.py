@@ -67,7 +67,7 @@ class Swept:
 @pytest.fixture(scope="module")
 def lab(tmp_path_factory):
     lab = Laboratory(tmp_path_factory.mktemp("claims"))
-    lab.scene(HEAP, "heap.toml")
+    lab.scene(HEAP.replace("count = 40", "count = 30"), "heap.toml")
     lab.scene(TEXT, "sweep.toml")
     lab.result = lab("sweep", "sweep.toml", "--out", "out")
     assert lab.result.returncode == 0, lab.result.stderr

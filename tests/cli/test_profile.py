@@ -94,6 +94,6 @@ def test_a_new_run_removes_an_old_profile(lab):
 
 def test_profile_of_an_interrupted_run(lab):
     scene = lab.scene(HEAP.replace("at_rest = 1e-6", "").replace("time = 500", "time = 1e6"))
-    said = lab.shell(f'timeout --signal=INT 2 "$REPOSE" run {scene} --out out --profile')
+    said = lab.shell(f'timeout --foreground --signal=INT 2 "$REPOSE" run {scene} --out out --profile')
     assert "forces and motion" in said.stdout
     assert "checkpoints" in {stage["name"] for stage in stages(lab)["stages"]}

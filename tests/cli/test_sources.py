@@ -55,7 +55,7 @@ def test_examples(lab, name, cuts, grains):
 
 # The opening stays 3 above the apex of the heap; the heap would bury an opening at the fixed height 3.
 def test_opening_above_the_apex_is_never_buried(lab):
-    cuts = settings("source.count=150", "source.rate=2", "stop.time=150", "source.half_width=0.5")
+    cuts = settings("source.count=150", "source.rate=2", "stop.time=200", "source.half_width=0.5")
     out = example(lab, "pour-above-apex", *cuts)
     grains = Grains(out / "run.h5")
     assert (grains.fixed == 0).sum() == 150

@@ -39,10 +39,10 @@ class FusedKernel {
     line_.resize(grains.size());
     first_.resize(pairs.pairs());
     second_.resize(pairs.pairs());
-    const auto one = std::find_if(grains.material.begin(), grains.material.end(),
-                                  [&](auto material) { return material != grains.material.front(); });
-    one_material_ = laws.single() || one == grains.material.end();
-    const auto& law = laws.single() ? laws.first() : laws.of(grains.material.front(), grains.material.front());
+    const std::uint16_t first = grains.size() > 0 ? grains.material.front() : std::uint16_t{0};
+    one_material_ = laws.single() || std::all_of(grains.material.begin(), grains.material.end(),
+                                                 [&](auto material) { return material == first; });
+    const auto& law = laws.single() ? laws.first() : laws.of(first, first);
     law_ = one_material_ ? &law : laws.all().data();
     const bool packs =
         std::all_of(laws.all().begin(), laws.all().end(), [](const Law& each) { return goes_in_packs(each); });
