@@ -6,11 +6,13 @@
 #include "repose/core/inline.hpp"
 #include "repose/core/team.hpp"
 #include "repose/core/vec.hpp"
+#include "repose/methods/method.hpp"
 #include "repose/neighbours/pair_list.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 namespace repose::soft {
@@ -36,6 +38,22 @@ struct LoadedGrain {
   std::uint32_t load;  ///< number of the load
   Vec<D> force;        ///< [M L/T^2]
 };
+
+/// The grains on which loads act, ascending by their index.
+template <int D>
+std::vector<LoadedGrain<D>> find_loaded(const Grains<D>& grains, const std::vector<Load<D>>& loads) {
+  std::vector<LoadedGrain<D>> loaded;
+  if (loads.empty()) return loaded;
+  std::unordered_multimap<std::int64_t, std::uint32_t> load_of;
+  for (std::uint32_t load = 0; load < loads.size(); ++load) load_of.emplace(loads[load].grain, load);
+  for (std::uint32_t i = 0; i < grains.size(); ++i) {
+    const auto [first, last] = load_of.equal_range(grains.id[i]);
+    for (auto found = first; found != last; ++found) loaded.push_back({i, found->second, loads[found->second].force});
+  }
+  std::sort(loaded.begin(), loaded.end(),
+            [](const auto& a, const auto& b) { return a.i != b.i ? a.i < b.i : a.load < b.load; });
+  return loaded;
+}
 
 /// The contiguous range of grains of one member of the team, and what it knows of its step.
 template <int D>

@@ -13,7 +13,6 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -216,7 +215,7 @@ class Soft final : public Method<D> {
   /// Distributes the present list among the members of the team.
   void distribute(const Grains<D>& grains, const Team& team) {
     const auto now = walls_now();
-    find_loaded(grains);
+    loaded_ = soft::find_loaded(grains, loads_);
     parts_ = soft::make_parts<typename Kernel::Space>(pairs_, grains.size(), team.size());
     for (auto& part : parts_) {
       part.walls = walls_;
@@ -241,21 +240,6 @@ class Soft final : public Method<D> {
   }
 
   void add_elastic(Energy& account, const Grains<D>& grains) const;
-
-  void find_loaded(const Grains<D>& grains) {
-    loaded_.clear();
-    if (loads_.empty()) return;
-    std::unordered_multimap<std::int64_t, std::uint32_t> load_of;
-    for (std::uint32_t load = 0; load < loads_.size(); ++load) load_of.emplace(loads_[load].grain, load);
-    for (std::uint32_t i = 0; i < grains.size(); ++i) {
-      const auto [first, last] = load_of.equal_range(grains.id[i]);
-      for (auto found = first; found != last; ++found) {
-        loaded_.push_back({i, found->second, loads_[found->second].force});
-      }
-    }
-    std::sort(loaded_.begin(), loaded_.end(),
-              [](const auto& a, const auto& b) { return a.i != b.i ? a.i < b.i : a.load < b.load; });
-  }
 
   /// The grains of a part that are fixed, near a wall or loaded, so that the sweep must do more than move them.
   void find_special(const Grains<D>& grains, soft::Part<D>& part) const {
