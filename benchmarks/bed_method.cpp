@@ -31,7 +31,7 @@ SoftSettings<D> settings_of(const Box<D>& box, double time_step) {
   settings.time_step = time_step;
   settings.gravity[up<D>] = -1.0;
   settings.box = box;
-  settings.skin = 0.05;
+  settings.skin = D == 2 ? 0.05 : 0.025;
   return settings;
 }
 
