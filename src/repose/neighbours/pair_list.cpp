@@ -287,17 +287,8 @@ const std::vector<std::uint32_t>& PairList<D>::build(Grains<D>& grains, const Bo
 
 template <int D>
 bool PairList<D>::stale(const Grains<D>& grains, double wall_displacement, double ahead) {
-  if (!valid_) return true;
-  double least = 0.5 * reach_.skin - wall_displacement;
-  for (std::size_t k = 0; k < grains.size(); ++k) {
-    const Vec<D> d = grains.line[k].position + grains.line[k].velocity * ahead - built_at_[k];
-    least = std::min(least, allowance_[k] - std::sqrt(dot(d, d)));
-  }
-  // With so little left, the next check would come after one step.
-  if (least < 0.05 * reach_.skin) return true;
-  slack_ = least;
-  travelled_ = 0.0;
-  return false;
+  const auto then = [&](std::size_t k) { return grains.line[k].position + grains.line[k].velocity * ahead; };
+  return stale_at(then, wall_displacement);
 }
 
 template class PairList<2>;

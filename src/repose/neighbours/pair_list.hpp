@@ -10,6 +10,9 @@
 #include "repose/neighbours/spots.hpp"
 #include "repose/neighbours/wide_pairs.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -56,6 +59,30 @@ class PairList {
   /// is the largest displacement of a wall since the list was built. With `ahead` [T], positions are extrapolated by
   /// that time with the present velocities, for a method that needs the pairs which a step may bring together.
   bool stale(const Grains<D>& grains, double wall_displacement = 0.0, double ahead = 0.0);
+
+  /// The same where `position(k)` is that of grain k, for a method that moves copies of the grains.
+  template <class Position>
+  bool stale_at(const Position& position, double wall_displacement) {
+    if (!valid_) return true;
+    const double half_skin = 0.5 * reach_.skin;
+    double least = half_skin - wall_displacement;
+    double furthest2 = 0.0;  // of grains that are not fast, which share one allowance and one root
+    for (std::size_t k = 0; k < built_at_.size(); ++k) {
+      const Vec<D> d = position(k) - built_at_[k];
+      const double distance2 = dot(d, d);
+      if (allowance_[k] > half_skin) {
+        least = std::min(least, allowance_[k] - std::sqrt(distance2));
+      } else {
+        furthest2 = std::max(furthest2, distance2);
+      }
+    }
+    least = std::min(least, half_skin - std::sqrt(furthest2));
+    // With so little left, the next check would come after one step.
+    if (least < 0.05 * reach_.skin) return true;
+    slack_ = least;
+    travelled_ = 0.0;
+    return false;
+  }
 
   /// The distance [L] that a grain may move from its position at the last build: half the skin, more for a fast grain.
   double allowance(std::size_t i) const { return allowance_[i]; }

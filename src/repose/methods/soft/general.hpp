@@ -40,6 +40,7 @@ class GeneralKernel {
   // It moves the grains themselves.
   void take(const Grains<D>&, Space&, const PairList<D>&) {}
   void give(Grains<D>&, const Space&) const {}
+  Vec<D> position(const Grains<D>& grains, std::size_t i) const { return grains.line[i].position; }
 
   void step(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Space>& spaces, Team& team, int member);
 };

@@ -54,7 +54,7 @@ class Soft final : public Method<D> {
 
   void refresh(Grains<D>& grains, Team& team) override {
     pairs_.invalidate();
-    refresh_pairs(grains, team);
+    build_pairs(grains, team);
   }
 
   TimeSteps time_steps() const override { return {settings_.time_step, true}; }
@@ -63,16 +63,22 @@ class Soft final : public Method<D> {
   StepReport advance(Grains<D>& grains, double until, Team& team) override {
     StepReport report;
     const long steps = time_steps().count(until) - step_;
+    bool taken = false;  // whether the kernel has the state of the grains
     while (report.steps < steps && !report.trouble) {
-      refresh_pairs(grains, team);
+      if (stale(grains, taken)) {
+        if (std::exchange(taken, false)) give_back(grains, team);
+        build_pairs(grains, team);
+      }
       const auto stage = this->in_stage("forces and motion");
       const long before = report.steps;
       const long start = step_;
       team.run([&](int member) {
         // Every member computes the same numbers and takes the same decisions.
         auto& mine = parts_[static_cast<std::size_t>(member)];
-        kernel_.take(grains, mine, pairs_);
-        team.wait();
+        if (!taken) {
+          kernel_.take(grains, mine, pairs_);
+          team.wait();
+        }
         long done = before;
         double travelled = pairs_.travelled();
         bool trouble = false;
@@ -92,7 +98,6 @@ class Soft final : public Method<D> {
           travelled += settings_.time_step * furthest;
           ++done;
         }
-        kernel_.give(grains, mine);
         if (team.size() > 1) team.wait();
         if (member != 0) return;
         pairs_.set_travelled(travelled);
@@ -101,7 +106,9 @@ class Soft final : public Method<D> {
         report.trouble = trouble;
       });
       step_ += report.steps - before;
+      taken = true;
     }
+    if (taken) give_back(grains, team);
     report.time = time();
     return report;
   }
@@ -152,15 +159,14 @@ class Soft final : public Method<D> {
   /// Bonds may be longer than the reach of the normal laws.
   double widest_reach() const {
     double widest = 0.0;
-    for (const auto& law : laws_.all()) {
-      widest = std::max({widest, reach(law.normal), reach_of_bonds(law.cohesion, settings_.smallest_diameter)});
-    }
+    for (const auto& law : laws_.all()) widest = std::max({widest, reach(law.normal), reach_of_bonds_of(law)});
     return widest;
   }
+  double reach_of_bonds_of(const Law& law) const { return reach_of_bonds(law.cohesion, settings_.smallest_diameter); }
 
   bool makes_bonds() const {
-    return std::any_of(laws_.all().begin(), laws_.all().end(),
-                       [&](const Law& law) { return reach_of_bonds(law.cohesion, settings_.smallest_diameter) > 0.0; });
+    const auto& laws = laws_.all();
+    return std::any_of(laws.begin(), laws.end(), [&](const Law& law) { return reach_of_bonds_of(law) > 0.0; });
   }
 
   /// The time [T] by which velocities are behind positions: half a step, and 0 at the start.
@@ -186,9 +192,19 @@ class Soft final : public Method<D> {
     return furthest;
   }
 
-  void refresh_pairs(Grains<D>& grains, Team& team) {
+  bool stale(const Grains<D>& grains, bool taken) {
     const auto stage = this->in_stage("pair lists");
-    if (!pairs_.may_be_stale() || !pairs_.stale(grains, furthest_wall())) return;
+    if (!pairs_.may_be_stale()) return false;
+    if (!taken) return pairs_.stale(grains, furthest_wall());
+    return pairs_.stale_at([&](std::size_t k) { return kernel_.position(grains, k); }, furthest_wall());
+  }
+
+  void give_back(Grains<D>& grains, Team& team) {
+    team.run([&](int member) { kernel_.give(grains, parts_[static_cast<std::size_t>(member)]); });
+  }
+
+  void build_pairs(Grains<D>& grains, Team& team) {
+    const auto stage = this->in_stage("pair lists");
     if (settings_.audit) close_work(grains);
     const auto& order = pairs_.build(grains, settings_.box, team);
     known_ = grains.size();
@@ -292,8 +308,7 @@ template <int D, class Law>
 template <class Use>
 void Soft<D, Law>::for_every_contact(const Grains<D>& grains, double back, const Use& use) const {
   const auto& box = settings_.box;
-  const auto at = [&](std::size_t i) {
-    auto grain = grains.line[i];
+  const auto at = [&](Grain<D> grain) {
     grain.position -= grain.velocity * back;
     return grain;
   };
@@ -308,8 +323,8 @@ void Soft<D, Law>::for_every_contact(const Grains<D>& grains, double back, const
       const auto a = swap ? j : i;
       const auto b = swap ? i : j;
       const auto& law = laws_.of(grains.material[a], grains.material[b]);
-      const auto first = at(a);
-      const auto second = at(b);
+      const auto first = at(grains.line[a]);
+      const auto second = at(grains.line[b]);
       const Vec<D> d = separation(first.position, second.position, box);
       const double within = reach(law.normal) * (first.radius + second.radius);
       const bool bonded = !pairs_.bonded.empty() && pairs_.bonded[k] != 0;
@@ -329,7 +344,7 @@ void Soft<D, Law>::for_every_contact(const Grains<D>& grains, double back, const
   WallContacts<D> contacts;
   for (std::size_t i = 0; i < pairs_.rows(); ++i) {
     auto row = wall_list_.row(i);
-    const auto grain = at(i);
+    const auto grain = at(grains.line[i]);
     soft::find_wall_contacts(laws_, grain, grains.material[i], row.data(), static_cast<std::uint32_t>(row.size()),
                              settings_.walls, now, settings_.box, contacts);
     pass_on_displacements(contacts, row.data());

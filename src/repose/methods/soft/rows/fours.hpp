@@ -189,6 +189,30 @@ REPOSE_FN void sum_fours(const Line* lines, const std::uint32_t* first, const st
   for (int k = 0; k < 4; ++k) to[k] = Numbers(Lanes(rows[k]));
 }
 
+/// The x, y and z of four vectors that follow each other in memory, and back.
+REPOSE_FN void load_threes(const double* from, Numbers (&to)[3]) {
+  const __m256d a = _mm256_loadu_pd(from);                // x0 y0 z0 x1
+  const __m256d b = _mm256_loadu_pd(from + 4);            // y1 z1 x2 y2
+  const __m256d c = _mm256_loadu_pd(from + 8);            // z2 x3 y3 z3
+  const __m256d xy = _mm256_blend_pd(a, b, 0b1100);       // x0 y0 x2 y2
+  const __m256d zx = _mm256_permute2f128_pd(a, c, 0x21);  // z0 x1 z2 x3
+  const __m256d yz = _mm256_blend_pd(b, c, 0b1100);       // y1 z1 y3 z3
+  to[0] = Numbers(Lanes(_mm256_shuffle_pd(xy, zx, 0b1010)));
+  to[1] = Numbers(Lanes(_mm256_shuffle_pd(xy, yz, 0b0101)));
+  to[2] = Numbers(Lanes(_mm256_shuffle_pd(zx, yz, 0b1010)));
+}
+REPOSE_FN void store_threes(const Numbers (&from)[3], double* to) {
+  const __m256d x = static_cast<__m256d>(from[0].lanes);
+  const __m256d y = static_cast<__m256d>(from[1].lanes);
+  const __m256d z = static_cast<__m256d>(from[2].lanes);
+  const __m256d xy = _mm256_shuffle_pd(x, y, 0b0000);
+  const __m256d zx = _mm256_shuffle_pd(z, x, 0b1010);
+  const __m256d yz = _mm256_shuffle_pd(y, z, 0b1111);
+  _mm256_storeu_pd(to, _mm256_permute2f128_pd(xy, zx, 0x20));
+  _mm256_storeu_pd(to + 4, _mm256_blend_pd(yz, xy, 0b1100));
+  _mm256_storeu_pd(to + 8, _mm256_permute2f128_pd(zx, yz, 0x31));
+}
+
 REPOSE_FN void store_fours(const Numbers (&from)[4], double* to, std::size_t stride) {
   __m256d rows[4];
   for (int k = 0; k < 4; ++k) rows[k] = static_cast<__m256d>(from[k].lanes);
@@ -219,7 +243,7 @@ REPOSE_FN void store_fours(const Numbers (&from)[4], double* to, std::size_t str
 #endif
 #endif
 
-#if !defined(__AVX512F__) || defined(REPOSE_SCALAR_ROWS)
+#if !defined(__AVX2__) || defined(REPOSE_SCALAR_ROWS)
 REPOSE_FN void load_threes(const double* from, Numbers (&to)[3]) {
   double each[3][width];
   for (std::size_t k = 0; k < width; ++k) {
@@ -234,7 +258,9 @@ REPOSE_FN void store_threes(const Numbers (&from)[3], double* to) {
     for (std::size_t n = 0; n < 3; ++n) to[3 * k + n] = each[n][k];
   }
 }
+#endif
 
+#if !defined(__AVX512F__) || defined(REPOSE_SCALAR_ROWS)
 template <class Line>
 REPOSE_FN void sum_eights(const Line* lines, const std::uint32_t* first, const std::uint32_t* second, const Four& signs,
                           const Four& upper_signs, Numbers (&to)[8]) {

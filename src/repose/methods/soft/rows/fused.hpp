@@ -59,6 +59,12 @@ class FusedKernel {
     for (auto i = mine.rows.begin; i < mine.rows.end; ++i) soft::take(line_[i], grains.line[i]);
   }
 
+  Vec<D> position(const Grains<D>&, std::size_t i) const {
+    Vec<D> position;
+    for (int k = 0; k < D; ++k) position[k] = line_[i].position[k];
+    return position;
+  }
+
   /// One step of one member over its grains. The walls are moved later.
   void step(const SweepInput<D, Law>& in, Grains<D>& grains, std::vector<Space>& spaces, Team& team, int member) {
     auto& mine = spaces[static_cast<std::size_t>(member)];
@@ -164,8 +170,6 @@ class FusedKernel {
   /// Finishes a special row, which the sweep has left out.
   void finish(const SweepInput<D, Law>& in, Grains<D>& grains, Space& mine, std::size_t s) {
     const auto i = mine.special[s];
-    auto& grain = grains.line[i];
-    soft::take(line_[i], grain);
     const auto& from = mine.special_sum[s].value;
     Slot<D> sum;
     for (int k = 0; k < D; ++k) {
@@ -173,6 +177,12 @@ class FusedKernel {
       if constexpr (D == 3) sum.rim_torque[k] = from[4 + k];
     }
     if constexpr (D == 2) sum.rim_torque = from[2];
+    if (line_[i].inverse_mass == 0.0) {  // a base has many of them
+      grains.reaction[i] += sum.force * in.settings.time_step;
+      return;
+    }
+    auto& grain = grains.line[i];
+    soft::take(line_[i], grain);
     if (in.settings.synchronised) {
       finish_special_row<true, false>(in, grains, i, mine, sum);
     } else {
