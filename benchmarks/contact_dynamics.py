@@ -30,7 +30,7 @@ ROWS = {1000: 20, 5000: 100}  # of 50 discs
 SICONOS_BED, BOX2D_BED, BED = 1000, 5000, 5000
 RATE_SWEEPS = 500  # each forward and backward: 1000 visits of each contact
 GIVEN_UP = 4e7  # contact-iterations per second of Repose over those of Siconos
-BARS = {"time": 10.0, "siconos": 10.0, "box2d": 2.0}
+BARS = {"time": 10.0, "siconos": 50.0, "box2d": 6.0}
 ONE_THREAD = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
 
 
@@ -180,18 +180,20 @@ def print_time_bar(rounds, start, discs):
 
 def print_bars(rounds, peers):
     print("\nRatios, medians of those within a round")
-    own = ("Repose", "rate", "cold", BED)
     if "siconos" in peers:
         for start in ("warm", "cold"):
             for discs in ROWS:
                 print_time_bar(rounds, start, discs)
-        peer = ("Siconos NSGS", "rate", "cold", SICONOS_BED)
-        ratios = [rate(one[own]) / rate(one[peer]) for one in rounds]
-        print_bar(f"contact-iterations, Repose ({BED}) over Siconos ({SICONOS_BED})", ratios, BARS["siconos"], " ")
-    if "box2d" in peers:
-        peer = ("Box2D, float", "rate", "", BOX2D_BED)
-        ratios = [rate(one[own]) / rate(one[peer]) for one in rounds]
-        print_bar(f"contact-iterations, Repose ({BED}) over Box2D ({BOX2D_BED})", ratios, BARS["box2d"], " ")
+    for solver in ("Repose", "Repose, sweeps alone"):
+        own = (solver, "rate", "cold", BED)
+        if "siconos" in peers:
+            peer = ("Siconos NSGS", "rate", "cold", SICONOS_BED)
+            ratios = [rate(one[own]) / rate(one[peer]) for one in rounds]
+            print_bar(f"visits, {solver} ({BED}) over Siconos ({SICONOS_BED})", ratios, BARS["siconos"], " ")
+        if "box2d" in peers:
+            peer = ("Box2D, float", "rate", "", BOX2D_BED)
+            ratios = [rate(one[own]) / rate(one[peer]) for one in rounds]
+            print_bar(f"visits, {solver} ({BED}) over Box2D ({BOX2D_BED})", ratios, BARS["box2d"], " ")
 
 
 def find_peers(build):
