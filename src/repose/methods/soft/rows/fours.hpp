@@ -23,6 +23,14 @@ using Four = double __attribute__((vector_size(32), may_alias));
 using FourBits = std::int64_t __attribute__((vector_size(32), may_alias));
 
 REPOSE_FN void drop_signs(Four& a) { a = Four(FourBits(a) & std::int64_t{0x7fffffffffffffff}); }
+/// Adds b with signs, which are 1 or -1. Their products are exact, so one rounding is that of the sum.
+REPOSE_FN void add_signed(const Four& b, const Four& signs, Four& a) {
+#if defined(__FMA__)
+  a = Four(_mm256_fmadd_pd(__m256d(b), __m256d(signs), __m256d(a)));
+#else
+  a += b * signs;
+#endif
+}
 REPOSE_FN Four& four(double* p) { return *reinterpret_cast<Four*>(p); }
 REPOSE_FN const Four& four(const double* p) { return *reinterpret_cast<const Four*>(p); }
 
@@ -72,7 +80,7 @@ REPOSE_FN void sum_fours(const Line* lines, const std::uint32_t* first, const st
                          const Four& signs, Numbers (&to)[4]) {
   const auto at = [&](std::uint32_t k) { return reinterpret_cast<const double*>(lines + std::size_t{k}) + offset; };
   const __m512d sign = _mm512_broadcast_f64x4(__m256d(signs));
-  const auto sum = [&](std::size_t k) {  // products with 1 or -1 are exact, so one rounding is that of the sum
+  const auto sum = [&](std::size_t k) {
     return _mm512_fmadd_pd(both(at(second[k]), at(second[k + 4])), sign, both(at(first[k]), at(first[k + 4])));
   };
   const __m512d a = sum(0);
@@ -183,7 +191,9 @@ REPOSE_FN void sum_fours(const Line* lines, const std::uint32_t* first, const st
   const auto at = [&](std::uint32_t k) { return reinterpret_cast<const double*>(lines + std::size_t{k}) + offset; };
   __m256d rows[4];
   for (int k = 0; k < 4; ++k) {
-    rows[k] = _mm256_add_pd(_mm256_load_pd(at(first[k])), _mm256_mul_pd(_mm256_load_pd(at(second[k])), __m256d(signs)));
+    Four sum = four(at(first[k]));
+    add_signed(four(at(second[k])), signs, sum);
+    rows[k] = __m256d(sum);
   }
   transpose(rows);
   for (int k = 0; k < 4; ++k) to[k] = Numbers(Lanes(rows[k]));

@@ -290,7 +290,7 @@ struct Window {
 template <int D>
 REPOSE_FN void add_back(const double* push, double* sum) {
   if constexpr (D == 2) {
-    four(sum) += four(push) * Four{-1.0, -1.0, 1.0, 1.0};
+    add_signed(four(push), Four{-1.0, -1.0, 1.0, 1.0}, four(sum));
   } else {
     four(sum) -= four(push);
     four(sum + 4) += four(push + 4);
