@@ -148,7 +148,6 @@ class Soft final : public Method<D> {
   void restored(const Grains<D>& grains, const Team& team) override {
     if (pairs_.valid()) distribute(grains, team);
   }
-
   const PairList<D>& pairs() const { return pairs_; }
 
  private:
@@ -308,8 +307,9 @@ template <int D, class Law>
 template <class Use>
 void Soft<D, Law>::for_every_contact(const Grains<D>& grains, double back, const Use& use) const {
   const auto& box = settings_.box;
-  const auto at = [&](Grain<D> grain) {
-    grain.position -= grain.velocity * back;
+  const auto at = [&](const Grain<D>& now) {
+    auto grain = now;
+    grain.position -= now.velocity * back;
     return grain;
   };
   const auto with_times = [&](const auto& force_in) {
