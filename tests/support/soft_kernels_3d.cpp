@@ -8,5 +8,7 @@ namespace repose {
 
 template std::unique_ptr<Method<3>> make_kernel(MaterialTable<AnyPairLaw>, SoftSettings<3>);
 template std::unique_ptr<Method<3>> make_kernel(MaterialTable<ContinuousCumulative>, SoftSettings<3>);
+template std::unique_ptr<Method<3>> make_kernel(MaterialTable<ElasticHertzMindlin>, SoftSettings<3>);
+template std::unique_ptr<Method<3>> make_kernel(MaterialTable<HookeLinear>, SoftSettings<3>);
 
 }  // namespace repose
