@@ -8,7 +8,8 @@ namespace repose {
 
 namespace {
 
-/// About 50 microseconds. Where threads share processors, a thread that spins keeps others from arriving.
+/// Tens of microseconds, by the processor. Where threads share processors, a thread that spins keeps others from
+/// arriving.
 constexpr int usual_spins = 1500;
 
 void pause() {

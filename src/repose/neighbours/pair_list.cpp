@@ -224,7 +224,6 @@ void PairList<D>::list_rows(const Grains<D>& grains, const Box<D>& box, const Ra
 template <int D>
 void PairList<D>::keep_displacements(const Range& rows, Part& part) {
   part.bandwidth = 0;
-  part.any_far = false;
   for (auto i = static_cast<std::uint32_t>(rows.begin); i < rows.end; ++i) {
     for (auto k = row_start[i]; k < row_start[i + 1]; ++k) {
       const auto j = partner[k];
@@ -233,11 +232,7 @@ void PairList<D>::keep_displacements(const Range& rows, Part& part) {
       slip[k] = was == none ? Tangent<D>{} : (turned_round ? swapped(old_.slip[was]) : old_.slip[was]);
       if (reach_.rolling) roll[k] = was == none ? Tangent<D>{} : (turned_round ? -old_.roll[was] : old_.roll[was]);
       if (reach_.bonds) bonded[k] = was == none ? std::uint8_t{0} : old_.bonded[was];
-      if (j - i <= far) {
-        part.bandwidth = std::max(part.bandwidth, j - i);
-      } else {
-        part.any_far = true;
-      }
+      if (j - i <= far) part.bandwidth = std::max(part.bandwidth, j - i);
     }
   }
 }
@@ -272,11 +267,8 @@ const std::vector<std::uint32_t>& PairList<D>::build(Grains<D>& grains, const Bo
     keep_displacements(rows, part);
   });
   bandwidth = 0;
-  any_far = false;
-  for (const auto& part : parts_) {
-    bandwidth = std::max(bandwidth, part.bandwidth);
-    any_far |= part.any_far;
-  }
+  for (const auto& part : parts_) bandwidth = std::max(bandwidth, part.bandwidth);
+  any_far = has_far_pairs();
 
   valid_ = true;
   travelled_ = 0.0;

@@ -93,7 +93,6 @@ class PairList {
     archive.value("pairs/slack", slack_);
     archive.value("pairs/builds", builds_);
     archive.value("pairs/bandwidth", bandwidth);
-    archive.value("pairs/any_far", any_far);
     archive.array("pairs/built_at", built_at_);
     archive.array("pairs/allowance", allowance_);
     archive.array("pairs/row_start", row_start);
@@ -104,6 +103,7 @@ class PairList {
     archive.check("pairs/partner", row_start.empty() ? partner.empty() : row_start.back() == partner.size());
     archive.check("pairs/history", slip.size() == partner.size());
     archive.check("pairs/bonded", bonded.size() == (reach_.bonds ? partner.size() : 0));
+    if (archive.restoring()) any_far = has_far_pairs();
   }
 
   std::size_t rows() const { return row_start.empty() ? 0 : row_start.size() - 1; }
@@ -138,13 +138,18 @@ class PairList {
     std::vector<std::uint32_t> partner;  // of these rows, then room for more
     std::size_t pairs = 0;
     std::uint32_t bandwidth = 0;
-    bool any_far = false;
 
     void make_room(std::size_t count) {
       if (partner.size() < count) partner.resize(2 * count);
     }
   };
 
+  bool has_far_pairs() const {
+    for (std::size_t i = 0; i < rows(); ++i) {
+      if (row_start[i] < row_start[i + 1] && partner[row_start[i + 1] - 1] - i > far) return true;
+    }
+    return false;
+  }
   void sort_grains(Grains<D>& grains, const Box<D>& box);
   void note_spots(const Grains<D>& grains, double furthest);
   void list_rows(const Grains<D>& grains, const Box<D>& box, const Range& rows, Part& part);

@@ -7,8 +7,8 @@
 #pragma once
 
 #include "repose/methods/soft/pair_geometry.hpp"
-#include "repose/methods/soft/rows/fours.hpp"
 #include "repose/methods/soft/rows/row_sweep.hpp"
+#include "repose/methods/soft/rows/transposes.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Four numbers of a grain at once, and their transposition into packs. Include this only in sources that are compiled
+// Numbers of several grains, transposed into packs, and back. Include this only in sources that are compiled
 // once for each instruction set; everything is local to them.
 #pragma once
 
@@ -75,6 +75,18 @@ REPOSE_FN __m512d high_parts(__m512d a, __m512d b) {
   return _mm512_permutex2var_pd(a, _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15), b);
 }
 
+/// Transposes the lower and the upper four columns of four rows, each by itself.
+REPOSE_FN void transpose_halves(__m512d (&rows)[4]) {
+  const __m512d ab_even = _mm512_unpacklo_pd(rows[0], rows[1]);
+  const __m512d ab_odd = _mm512_unpackhi_pd(rows[0], rows[1]);
+  const __m512d cd_even = _mm512_unpacklo_pd(rows[2], rows[3]);
+  const __m512d cd_odd = _mm512_unpackhi_pd(rows[2], rows[3]);
+  rows[0] = low_parts(ab_even, cd_even);
+  rows[1] = low_parts(ab_odd, cd_odd);
+  rows[2] = high_parts(ab_even, cd_even);
+  rows[3] = high_parts(ab_odd, cd_odd);
+}
+
 template <class Line>
 REPOSE_FN void sum_fours(const Line* lines, const std::uint32_t* first, const std::uint32_t* second, std::size_t offset,
                          const Four& signs, Numbers (&to)[4]) {
@@ -83,18 +95,9 @@ REPOSE_FN void sum_fours(const Line* lines, const std::uint32_t* first, const st
   const auto sum = [&](std::size_t k) {
     return _mm512_fmadd_pd(both(at(second[k]), at(second[k + 4])), sign, both(at(first[k]), at(first[k + 4])));
   };
-  const __m512d a = sum(0);
-  const __m512d b = sum(1);
-  const __m512d c = sum(2);
-  const __m512d d = sum(3);
-  const __m512d ab_even = _mm512_unpacklo_pd(a, b);
-  const __m512d ab_odd = _mm512_unpackhi_pd(a, b);
-  const __m512d cd_even = _mm512_unpacklo_pd(c, d);
-  const __m512d cd_odd = _mm512_unpackhi_pd(c, d);
-  to[0] = Numbers(Lanes(low_parts(ab_even, cd_even)));
-  to[1] = Numbers(Lanes(low_parts(ab_odd, cd_odd)));
-  to[2] = Numbers(Lanes(high_parts(ab_even, cd_even)));
-  to[3] = Numbers(Lanes(high_parts(ab_odd, cd_odd)));
+  __m512d rows[4] = {sum(0), sum(1), sum(2), sum(3)};
+  transpose_halves(rows);
+  for (int k = 0; k < 4; ++k) to[k] = Numbers(Lanes(rows[k]));
 }
 
 /// The same for the first eight numbers of lines of 64 bytes.
@@ -108,18 +111,8 @@ REPOSE_FN void sum_eights(const Line* lines, const std::uint32_t* first, const s
     const auto sum = [&](std::size_t k) {
       return _mm512_fmadd_pd(at(second[4 * half + k]), sign, at(first[4 * half + k]));
     };
-    const __m512d a = sum(0);
-    const __m512d b = sum(1);
-    const __m512d c = sum(2);
-    const __m512d d = sum(3);
-    const __m512d ab_even = _mm512_unpacklo_pd(a, b);
-    const __m512d ab_odd = _mm512_unpackhi_pd(a, b);
-    const __m512d cd_even = _mm512_unpacklo_pd(c, d);
-    const __m512d cd_odd = _mm512_unpackhi_pd(c, d);
-    quarter[half][0] = low_parts(ab_even, cd_even);
-    quarter[half][1] = low_parts(ab_odd, cd_odd);
-    quarter[half][2] = high_parts(ab_even, cd_even);
-    quarter[half][3] = high_parts(ab_odd, cd_odd);
+    for (std::size_t k = 0; k < 4; ++k) quarter[half][k] = sum(k);
+    transpose_halves(quarter[half]);
   }
   for (int k = 0; k < 4; ++k) {
     to[k] = Numbers(Lanes(_mm512_shuffle_f64x2(quarter[0][k], quarter[1][k], 0x44)));
@@ -128,22 +121,14 @@ REPOSE_FN void sum_eights(const Line* lines, const std::uint32_t* first, const s
 }
 
 REPOSE_FN void store_fours(const Numbers (&from)[4], double* to, std::size_t stride) {
-  const __m512d a = static_cast<__m512d>(from[0].lanes);
-  const __m512d b = static_cast<__m512d>(from[1].lanes);
-  const __m512d c = static_cast<__m512d>(from[2].lanes);
-  const __m512d d = static_cast<__m512d>(from[3].lanes);
-  const __m512d ab_even = _mm512_unpacklo_pd(a, b);
-  const __m512d ab_odd = _mm512_unpackhi_pd(a, b);
-  const __m512d cd_even = _mm512_unpacklo_pd(c, d);
-  const __m512d cd_odd = _mm512_unpackhi_pd(c, d);
+  __m512d rows[4];
+  for (int k = 0; k < 4; ++k) rows[k] = static_cast<__m512d>(from[k].lanes);
+  transpose_halves(rows);
   const auto put = [&](std::size_t k, __m512d two) {
     _mm256_store_pd(to + k * stride, _mm512_castpd512_pd256(two));
     _mm256_store_pd(to + (k + 4) * stride, _mm512_extractf64x4_pd(two, 1));
   };
-  put(0, low_parts(ab_even, cd_even));
-  put(1, low_parts(ab_odd, cd_odd));
-  put(2, high_parts(ab_even, cd_even));
-  put(3, high_parts(ab_odd, cd_odd));
+  for (std::size_t k = 0; k < 4; ++k) put(k, rows[k]);
 }
 
 /// The x, y and z of eight vectors that follow each other in memory, and back.
