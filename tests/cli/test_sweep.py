@@ -172,8 +172,8 @@ def test_paths_in_other_quotation_marks_and_comments_are_kept(sweep):
     sweep.scene("# mine\n" + SWEEP.replace('"heap.toml"', "'heap.toml'").replace("seeds = 3", "seeds = 1"), "sweep.toml")
     run_sweep(sweep)
     kept = (sweep.path / "out/sweep.toml").read_text()
-    assert kept.startswith("# mine\n") and 'scene = "scenes/1-heap.toml"' in kept
-    assert (sweep.path / "out/scenes/1-heap.toml").read_text() == HEAP
+    assert kept.startswith("# mine\n") and 'scene = "scenes/heap.toml"' in kept
+    assert (sweep.path / "out/scenes/heap.toml").read_text() == HEAP
 
 
 def test_a_failed_member_is_reported_and_does_not_stop_the_others(sweep):

@@ -1,17 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repose/cli/carry_out.hpp"
 #include "repose/cli/common_arguments.hpp"
+#include "repose/cli/run_sweep.hpp"
 #include "repose/cli/say.hpp"
-#include "repose/cli/signals.hpp"
 #include "repose/cli/sweep_view.hpp"
 #include "repose/cli/verbs.hpp"
 #include "repose/core/errors.hpp"
-#include "repose/io/machine.hpp"
-#include "repose/simulation/expectation.hpp"
-#include "repose/sweep/members.hpp"
+#include "repose/sweep/folder.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -25,6 +21,7 @@ struct SweepOptions {
   int processes = 0;
   bool overwrite = false;
   bool dry = false;
+  bool quick = false;
   bool quiet = false;
 };
 
@@ -40,38 +37,19 @@ std::string folder_for(const SweepOptions& options) {
   return file.stem().string();
 }
 
-/// As many members side by side as are wanted and fit into memory. Throws InputError if one alone does not.
-int processes_for(const SweepPlan& plan, int wanted) {
-  double largest = 1.0;
-  for (const auto& point : plan.points) {
-    check_memory(point.scene, point.name);
-    largest = std::max(largest, expected_memory(point.scene));
-  }
-  const auto most = static_cast<double>(std::min(wanted, machine_threads()));
-  return static_cast<int>(std::clamp(machine_memory() / largest, 1.0, most));
-}
-
 int act(const SweepOptions& options) {
-  const auto out = folder_for(options);
-  auto plan = read_sweep(options.file);
-  const auto problems = SweepFolder::problems(out, plan, options.overwrite);
+  SweepRun wanted{.file = options.file,
+                  .folder = folder_for(options),
+                  .form = options.quick ? SweepForm::quick : SweepForm::full,
+                  .processes = options.processes,
+                  .overwrite = options.overwrite,
+                  .quiet = options.quiet};
+  if (!options.dry) return run_sweep(wanted);
+  const auto plan = read_sweep(wanted.file, wanted.form);
+  const auto problems = SweepFolder::problems(wanted.folder, plan, wanted.overwrite);
   if (!problems.empty()) throw InputError(problems);
-  if (options.dry) {
-    say("{}", describe_plan(plan));
-    return 0;
-  }
-  const int wanted = processes_for(plan, options.processes > 0 ? options.processes : machine_threads());
-  const SweepFolder folder(out, options.file, std::move(plan), options.overwrite);
-  Sweep sweep(folder, std::min(wanted, static_cast<int>(folder.members().size())));
-  catch_signals();
-  SweepView view(folder, sweep, options.quiet);
-  sweep.run([&](std::size_t member) { view.ended(member); }, [&] { view.tick(); }, interrupted);
-  view.finish();
-  const auto table = folder.table();
-  folder.write(table);
-  if (!options.quiet) say("{}", describe_table(folder, table));
-  if (interrupted) return exit_interrupted;
-  return sweep.count(MemberProgress::Stage::failed) > 0 ? exit_run_trouble : 0;
+  say("{}", describe_plan(plan));
+  return 0;
 }
 
 }  // namespace
@@ -95,6 +73,9 @@ Verb sweep_verb() {
                          .completes = Completion::folders},
                         threads_argument(options->processes,
                                          "Members that run side by side, at most one per core (default)"),
+                        {.name = "--quick",
+                         .about = "Run the small form that the table [quick] of the sweep describes",
+                         .target = &options->quick},
                         overwrite_argument(options->overwrite, "Remove a sweep that the folder already holds"),
                         {.name = "--check",
                          .about = "Check the sweep and describe its runs, without running",

@@ -13,7 +13,6 @@ namespace repose {
 namespace {
 
 bool is_about_base_forces(const std::string& measure) {
-  if (measure == "column.load_ratio") return "force_range.load_ratio";
   return measure == "base_dip.index" || measure == "base_scatter" || measure.starts_with("profile.");
 }
 
@@ -35,6 +34,7 @@ bool has_moving_wall(const Scene& scene) {
 
 /// The name of the band of a measure in the summary, "" if none is computed.
 std::string band_of(const std::string& measure) {
+  if (measure == "column.load_ratio") return "force_range.load_ratio";
   return measure == "base_dip.index" || measure == "profile.dip_index" ? "force_range.dip" : "";
 }
 

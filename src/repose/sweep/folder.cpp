@@ -44,6 +44,16 @@ std::string content_of(const fs::path& path) {
   return text.str();
 }
 
+/// Whether a folder has no more than a sweep leaves that was stopped before its sweep.toml was complete.
+bool has_just_begun(const std::string& path) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(path, error)) {
+    const auto name = entry.path().filename().string();
+    if (name != "scenes" && name != "sweep.toml.tmp") return false;
+  }
+  return !error;
+}
+
 /// Adds what the analysis of a member found beside its summary: the slices of its column, the drops of its slips.
 void read_analysis(const std::string& path, MemberRow& row) {
   const Hdf5Reader file(path);
@@ -96,6 +106,7 @@ std::vector<std::string> SweepFolder::problems(const std::string& path, const Sw
   auto found = folder_problems(path);
   std::error_code error;
   if (!found.empty() || !fs::exists(path, error) || fs::is_empty(path, error)) return found;
+  if (!is_one(path) && has_just_begun(path)) return {};
   if (!is_one(path)) return {fmt::format("{}: folder is not empty and holds no sweep; choose another --out", path)};
   if (overwrite) return {};
   for (const auto& member : members_of(plan)) {
@@ -115,9 +126,10 @@ SweepFolder::SweepFolder(std::string path) : path_(std::move(path)) {
   members_ = members_of(plan_);
 }
 
-SweepFolder::SweepFolder(std::string path, const std::string& sweep_file, SweepPlan plan, bool overwrite)
+SweepFolder::SweepFolder(std::string path, const std::string& sweep_file, SweepPlan plan, bool overwrite,
+                         SweepForm form)
     : path_(std::move(path)), plan_(std::move(plan)), members_(members_of(plan_)) {
-  const auto files = self_contained(sweep_file);
+  const auto files = self_contained(sweep_file, form);
   std::error_code error;
   fs::create_directories(path_, error);
   if (error) throw InputError(fmt::format("{}: cannot make the folder: {}", path_, error.message()));

@@ -30,9 +30,11 @@ class SweepFolder {
 
   /// Opens the folder of an earlier `repose sweep`. Throws InputError if `path` is no such folder.
   explicit SweepFolder(std::string path);
-  /// Makes the folder, or continues the sweep in it; `overwrite` removes an older sweep first. Locks it for as long as
-  /// this object lives. Throws InputError, also if another program sweeps there.
-  SweepFolder(std::string path, const std::string& sweep_file, SweepPlan plan, bool overwrite);
+  /// Makes the folder, or continues the sweep in it; `overwrite` removes an older sweep first. The plan is that of
+  /// `sweep_file` in this form. Locks the folder for as long as this object lives. Throws InputError, also if another
+  /// program sweeps there.
+  SweepFolder(std::string path, const std::string& sweep_file, SweepPlan plan, bool overwrite,
+              SweepForm form = SweepForm::full);
 
   const std::string& path() const { return path_; }
   const SweepPlan& plan() const { return plan_; }

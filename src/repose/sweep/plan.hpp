@@ -69,10 +69,14 @@ struct SweepFile {
   std::string text;
 };
 
-/// Reads a sweep file and the scenes that it names, relative to it. Throws InputError with every problem.
-SweepPlan read_sweep(const std::string& path);
+/// A sweep as its file says, or with the changes of its table [quick], which make it small.
+enum class SweepForm { full, quick };
 
-/// The sweep file and its scenes as files that stand in one folder: "sweep.toml" first, then "scenes/...".
-std::vector<SweepFile> self_contained(const std::string& path);
+/// Reads a sweep file and the scenes that it names, relative to it. Throws InputError with every problem.
+SweepPlan read_sweep(const std::string& path, SweepForm form = SweepForm::full);
+
+/// The sweep file and its scenes as files that stand in one folder: "sweep.toml" first, then "scenes/...". The file is
+/// that of its author, with other paths, and form = "quick" before it in the quick form.
+std::vector<SweepFile> self_contained(const std::string& path, SweepForm form = SweepForm::full);
 
 }  // namespace repose

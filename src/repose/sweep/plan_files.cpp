@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 
@@ -14,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace repose {
 
-std::vector<SweepFile> self_contained(const std::string& path) {
+std::vector<SweepFile> self_contained(const std::string& path, SweepForm form) {
   const auto text = text_of_file(path);
   auto root = parsed_toml(text, path);
   std::vector<SweepFile> files(1);
@@ -24,7 +25,12 @@ std::vector<SweepFile> self_contained(const std::string& path) {
     if (!given) return;
     auto& name = names[*given];
     if (name.empty()) {
-      name = fmt::format("scenes/{}-{}", names.size(), fs::path(*given).filename().string());
+      // The name of a point without keys is that of its scene, so a scene keeps its own wherever it can.
+      const auto own = "scenes/" + fs::path(*given).filename().string();
+      const auto taken = [&](const SweepFile& file) { return file.name == own; };
+      name = std::none_of(files.begin(), files.end(), taken)
+                 ? own
+                 : fmt::format("scenes/{}-{}", names.size(), fs::path(*given).filename().string());
       files.push_back({name, text_of_file((fs::path(path).parent_path() / *given).string())});
     }
     table.insert_or_assign("scene", name);
@@ -47,7 +53,8 @@ std::vector<SweepFile> self_contained(const std::string& path) {
   if (parsed_toml(exchanged, path) != root) {
     throw InputError(fmt::format("{}: scene: a path must be written plainly, and stand for nothing but a scene", path));
   }
-  files.front() = {"sweep.toml", exchanged};
+  const bool says_quick = form == SweepForm::quick && !root.contains("form");
+  files.front() = {"sweep.toml", (says_quick ? "form = \"quick\"\n" : "") + exchanged};
   return files;
 }
 

@@ -4,6 +4,7 @@
 
 #include "repose/core/errors.hpp"
 #include "repose/scene/problems.hpp"
+#include "repose/sweep/form.hpp"
 #include "repose/sweep/toml_values.hpp"
 
 #include <fmt/format.h>
@@ -19,8 +20,9 @@ void SweepReader::problem(const toml::node& node, const std::string& what) {
 }
 
 std::string SweepReader::place(const toml::node& node) const {
-  const auto line = node.source().begin.line;
-  return line > 0 ? fmt::format("{}:{}", path_, line) : path_;
+  const auto& source = node.source();  // claims may stand in a file of their own
+  const auto& path = source.path ? *source.path : path_;
+  return source.begin.line > 0 ? fmt::format("{}:{}", path, source.begin.line) : path;
 }
 
 void SweepReader::check_keys(const toml::table& table, const std::string& prefix, const std::set<std::string>& known) {
@@ -131,8 +133,9 @@ SweepPlan SweepReader::read() {
   return plan;
 }
 
-SweepPlan read_sweep(const std::string& path) {
-  const auto root = parsed_toml(text_of_file(path), path);
+SweepPlan read_sweep(const std::string& path, SweepForm form) {
+  auto root = parsed_toml(text_of_file(path), path);
+  take_form(root, form, path);
   return SweepReader(root, path).read();
 }
 
