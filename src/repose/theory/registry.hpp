@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/theory/contact_law.hpp"
+#include "repose/theory/equivalent_spring.hpp"
 #include "repose/theory/janssen.hpp"
 #include "repose/theory/janssen_discrete.hpp"
 #include "repose/theory/janssen_fit.hpp"
@@ -21,6 +23,6 @@ namespace repose::theory {
 
 /// Every model. A new model needs its header and one entry here.
 using Model = std::variant<PileLattice, PileContinuum, PileTent, Osl, Janssen, JanssenDiscrete, JanssenFit, Mohr,
-                           QuasiElastic, QModel, Packing, PointLoad>;
+                           QuasiElastic, QModel, Packing, PointLoad, EquivalentSpring, ContactLaw>;
 
 }  // namespace repose::theory

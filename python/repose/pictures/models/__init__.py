@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of the stress models: each is a function of a Prediction that returns a figure."""
 
-from repose.pictures.models import base, columns, mohr, osl, packing, point_load, q_model, quasi_elastic
+from repose.pictures.models import base, columns, contact, mohr, osl, packing, point_load, q_model, quasi_elastic
 
 MODEL_PICTURES = {
     "pile-lattice": base.draw,
@@ -17,6 +17,8 @@ MODEL_PICTURES = {
     "q-model": q_model.draw,
     "packing": packing.draw,
     "point-load": point_load.draw,
+    "equivalent-spring": contact.draw_spring,
+    "contact-law": contact.draw_law,
 }
 
 
