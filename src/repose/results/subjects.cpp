@@ -18,6 +18,7 @@ void add_slips(Registry& to);
 void add_walls(Registry& to);
 void add_column(Registry& to);
 void add_fields(Registry& to);
+void add_heap_zones(Registry& to);
 void add_grain_stress(Registry& to);
 void add_packing(Registry& to);
 void add_packing_structure(Registry& to);
@@ -41,6 +42,7 @@ std::vector<Subject> subjects() {
       add_walls,              //
       add_column,             //
       add_fields,             //
+      add_heap_zones,         //
       add_grain_stress,       //
       add_packing,            //
       add_packing_structure,  //
