@@ -55,7 +55,7 @@ endif()
 install(FILES ${documents}/repose.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES ${documents}/repose.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME repose)
 install(FILES ${documents}/_repose DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
-install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/repose)
+install(DIRECTORY examples studies DESTINATION ${CMAKE_INSTALL_DATADIR}/repose)
 install(FILES LICENSE CITATION.cff README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/repose)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/repose RENAME copyright)
 

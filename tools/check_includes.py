@@ -36,7 +36,8 @@ BELOW["slips"] = BELOW["contact_problem"]
 BELOW["run_folder"] = BELOW["determinacy"] | {"determinacy", "stability", "slips"}
 BELOW["sweep"] = BELOW["run_folder"] | {"run_folder"}
 BELOW["comparison"] = BELOW["sweep"] | {"sweep"}
-BELOW["api"] = BELOW["comparison"] | {"comparison"}
+BELOW["study"] = BELOW["comparison"] | {"comparison"}
+BELOW["api"] = BELOW["study"] | {"study"}
 BELOW["cli"] = BELOW["api"] | {"api"}
 
 # Headers that a layer must not see, directly or through others: laws never see the grains, theory sees core's math

@@ -39,7 +39,7 @@ def names_in(lines):
     return [line.split()[0] for line in lines if not line.startswith(" ")]
 
 
-VERBS = ["scene", "check", "run", "resume", "sweep", "analyse", "plot", "theory", "export", "solve", "reference"]
+VERBS = ["scene", "check", "run", "resume", "sweep", "study", "analyse", "plot", "theory", "export", "solve", "reference"]
 
 
 def examples_of(*verb):

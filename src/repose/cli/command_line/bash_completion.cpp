@@ -42,8 +42,14 @@ std::string cases(const Verb& verb, const std::string& name) {
     text += fmt::format("    {}:{}) {} ;;\n", name, argument.name, candidates(argument));
   }
   text += fmt::format("    {}:*)\n      if [[ $word == -* ]]; then\n        _repose_words '{}'\n", name, options(verb));
+  std::vector<const Argument*> words;
   for (const auto& argument : verb.arguments) {
-    if (!argument.is_option()) text += fmt::format("      else\n        {}\n", candidates(argument));
+    if (!argument.is_option()) words.push_back(&argument);
+  }
+  constexpr std::size_t first = 2;  // the word after the verb
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const auto begin = k + 1 < words.size() ? fmt::format("elif ((COMP_CWORD == {})); then", first + k) : "else";
+    text += fmt::format("      {}\n        {}\n", begin, candidates(*words[k]));
   }
   return text + "      fi\n      ;;\n";
 }

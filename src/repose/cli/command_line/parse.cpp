@@ -28,7 +28,12 @@ void add(CLI::App& app, const Argument& argument) {
   }
   auto* option = app.add_option_function<std::vector<std::string>>(argument.name, store_all, argument.about);
   option->required(argument.required)->expected(1)->allow_extra_args(false);
-  if (argument.is_option()) option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  if (argument.is_option()) {
+    option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  } else if (argument.repeats()) {
+    constexpr int most_words = 1'000'000;
+    option->expected(1, most_words)->allow_extra_args(true);
+  }
 }
 
 std::string problem(const CLI::Error& error) {
