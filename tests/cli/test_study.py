@@ -178,6 +178,35 @@ picture = "profiles"
         assert found == {0.02: "agrees", 1e-6: "disagrees"}, (force, claim)
 
 
+# Three rigid discs on a row have more forces than balances; nothing else is asked of the numbers here.
+def test_force_ranges_are_computed_once(studies):
+    rigid = HEAP.replace("[base]", '[method]\nkind = "contact-dynamics"\n[base]', 1).replace("count = 40", "count = 6")
+    studies.scene(rigid, "heap.toml")
+    studies.scene('scene = "../../../heap.toml"\nseeds = 2\n', "studies/small/ensembles/heaps.toml")
+    text = """title = "rigid"
+source = "nobody"
+states = "nothing"
+ensemble = "ensembles/heaps.toml"
+force_range = true
+[[claim]]
+text = "there are forces that balance does not determine"
+measure = "force_range.degree"
+point = "heap"
+above = -100
+[figure]
+"""
+    studies.scene(text, "studies/small/heap.toml")
+    study(studies, "run", "small", "--quiet")
+    (claim,) = claims(studies, "studies-full")
+    assert (claim["n"], claim["verdict"]) == (2, "agrees")
+    summaries = sorted(studies.path.glob("studies-full/small/ensembles/heaps/members/*/seed-*/summary.json"))
+    before = [path.stat().st_mtime_ns for path in summaries]
+    study(studies, "run", "small", "--quiet")
+    assert [path.stat().st_mtime_ns for path in summaries] == before
+    studies.scene(HEAP, "heap.toml")
+    studies.refused("study", "list", "--studies", "studies", parts=("force_range: only rigid grains have one",))
+
+
 def test_list_and_page(studies):
     said = study(studies, "list").stdout
     assert "small.heap" in said and "10 runs" in said and "3 claims" in said

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -82,6 +83,31 @@ void make_folder(const std::string& folder) {
   if (error) throw InputError(fmt::format("{}: cannot make the folder: {}", folder, error.message()));
 }
 
+/// Whether a study on this ensemble needs force ranges.
+bool needs_range(const std::vector<Study>& studies, const std::string& ensemble) {
+  return std::any_of(studies.begin(), studies.end(),
+                     [&](const Study& study) { return study.force_range && study.ensemble == ensemble; });
+}
+
+/// The results of an ensemble; where `wanted`, with the range of base forces that equilibrium allows rigid grains. It
+/// is computed again only if a member lacks it.
+SweepTable table_of(const std::string& path, bool wanted) {
+  const SweepFolder folder(path);
+  auto table = folder.table();
+  if (!wanted) return table;
+  const auto name = std::string("force_range.degree");
+  const auto found = std::find(table.measures.begin(), table.measures.end(), name) - table.measures.begin();
+  const auto lacks = [&](const MemberRow& member) {
+    if (member.status != "finished") return false;
+    if (folder.plan().points[member.point].scene.method->solver() == nullptr) return false;
+    const auto column = static_cast<std::size_t>(found);
+    return column >= member.values.size() || std::isnan(member.values[column]);
+  };
+  if (std::none_of(table.members.begin(), table.members.end(), lacks)) return table;
+  folder.analyse({.force_range = true});
+  return folder.table();
+}
+
 int run(const StudyOptions& options, const std::vector<StudyFile>& chosen) {
   // All files are read before anything runs, so that a mistake in the last one is found first.
   std::vector<Study> studies;
@@ -109,7 +135,7 @@ int run(const StudyOptions& options, const std::vector<StudyFile>& chosen) {
                               .with_result = false};
       status = std::max(status, run_sweep(ensemble));
       if (interrupted) return exit_interrupted;
-      tables.emplace(folder, SweepFolder(folder).table());
+      tables.emplace(folder, table_of(folder, needs_range(studies, study.ensemble)));
     }
     const auto place = result_folder(options, study.name);
     make_folder(place);

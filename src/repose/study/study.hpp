@@ -29,14 +29,15 @@ struct ProfileClaim {
 
 /// A published figure or number: what its source states, the ensemble of runs that tests it, and claims on it.
 struct Study {
-  std::string name;      ///< "baxter1997.fig3": folder and file
-  std::string file;      ///< the study file
-  std::string title;     ///< one line
-  std::string source;    ///< document, with figure, section or page
-  std::string states;    ///< what the source states
-  std::string remark;    ///< what a reader must know of assumptions and findings; "" without
-  std::string ensemble;  ///< path of the sweep file; "" where models alone are judged
-  SweepPlan plan;        ///< that of the ensemble, with the claims of the study
+  std::string name;          ///< "baxter1997.fig3": folder and file
+  std::string file;          ///< the study file
+  std::string title;         ///< one line
+  std::string source;        ///< document, with figure, section or page
+  std::string states;        ///< what the source states
+  std::string remark;        ///< what a reader must know of assumptions and findings; "" without
+  std::string ensemble;      ///< path of the sweep file; "" where models alone are judged
+  bool force_range = false;  ///< the base forces that equilibrium allows rigid grains are computed, too
+  SweepPlan plan;            ///< that of the ensemble, with the claims of the study
   std::vector<ModelClaim> model_claims;
   std::vector<ProfileClaim> profile_claims;
   std::string figure;  ///< the table [figure] as JSON

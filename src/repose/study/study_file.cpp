@@ -27,16 +27,27 @@ class StudyReader {
   StudyReader(toml::table& root, std::string path) : root_(root), path_(std::move(path)) {}
 
   void read(Study& study, SweepForm form) {
-    check_keys(root_, "", {"title", "source", "states", "remark", "ensemble", "claim", "figure"});
+    check_keys(root_, "", {"title", "source", "states", "remark", "ensemble", "force_range", "claim", "figure"});
     study.title = text(root_, "", "title", true);
     study.source = text(root_, "", "source", true);
     study.states = text(root_, "", "states", true);
     study.remark = text(root_, "", "remark", false);
+    if (const auto* node = root_.get("force_range")) {
+      if (!node->is_boolean()) problem(*node, "force_range: must be true or false");
+      study.force_range = node->value_or(false);
+    }
     read_figure(study);
     auto claims = take_claims();
     take_claims_on_theory(claims, study);
     read_ensemble(std::move(claims), study, form);
     check_points(study);
+    const auto rigid = [](const SweepPoint& point) {
+      return point.scene.method && point.scene.method->solver() != nullptr;
+    };
+    if (study.force_range && std::none_of(study.plan.points.begin(), study.plan.points.end(), rigid)) {
+      problem(*root_.get("force_range"),
+              "force_range: only rigid grains have one, and no point is of contact-dynamics");
+    }
     if (study.plan.claims.empty() && study.model_claims.empty() && study.profile_claims.empty()) {
       problems_.push_back(fmt::format("{}: claim: missing: a study judges at least one [[claim]]", path_));
     }
