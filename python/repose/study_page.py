@@ -19,7 +19,7 @@ GROUPS = {
     "dip": "The dip",
     "others": "Other people's heaps",
 }
-HEAD = """# Studies
+HEAD = """# {title}
 <!-- Written by `repose study page`: edit the files in studies/ instead. -->
 Each study holds what a document states against runs or models of Repose. This page has the results of the **{form}** form;
 `{command}` makes it again. A claim *agrees* if the 95 % interval of its statistic lies within its bounds, *disagrees* if
@@ -116,8 +116,12 @@ def write(results, page, names):
     if not studies:
         raise RunFolderError(f"{results}: holds no results of these studies (`repose study run` makes them)")
     form = studies[0].content["form"]
-    command = "./dev figures" if form == "quick" else "repose study run all, then repose study page"
-    lines = [HEAD.format(form=form, command=command).rstrip(), *summary_table(studies), ""]
+    groups = {study.name.split(".")[0] for study in studies}
+    command = "./dev figures" + "".join(f" {group}" for group in sorted(groups & {"dip", "others"}))
+    if form != "quick":
+        command = "repose study run all, then repose study page"
+    title = GROUPS.get(*groups, "Studies") if len(groups) == 1 else "Studies"
+    lines = [HEAD.format(title=title, form=form, command=command).rstrip(), *summary_table(studies), ""]
     if missing:
         lines += [f"Not run: {', '.join(missing)}.", ""]
     group = ""

@@ -178,6 +178,49 @@ picture = "profiles"
         assert found == {0.02: "agrees", 1e-6: "disagrees"}, (force, claim)
 
 
+# The variance of the q-model scatters between its runs: 0.41 +- 0.01 of 20 runs, and so nine times less of 1600.
+def test_a_random_model_has_an_interval(studies):
+    text = """title = "weights"
+source = "nobody"
+states = "nothing"
+[[claim]]
+text = "few runs"
+model = "q-model"
+set = { runs = 20 }
+number = "variance"
+above = 0.394
+below = 0.454
+[[claim]]
+text = "many runs"
+model = "q-model"
+set = { runs = 1600 }
+number = "variance"
+above = 0.394
+below = 0.454
+[figure]
+"""
+    studies.scene(text, "studies/small/heap.toml")
+    study(studies, "run", "small", "--quiet")
+    few, many = claims(studies, "studies-full")
+    assert (few["verdict"], few["n"], few["test"]) == ("undecided", 20, "t")
+    assert (many["verdict"], many["n"]) == ("agrees", 1600)
+    assert few["high"] - few["low"] == pytest.approx(2.0 * 2.093 * few["error"], rel=1e-3)  # Student's t of 19 degrees
+
+
+def test_the_profile_of_rigid_grains_is_not_determined(studies):
+    rigid = HEAP.replace("[base]", '[method]\nkind = "contact-dynamics"\n[base]', 1).replace("count = 40", "count = 12")
+    studies.scene(rigid, "heap.toml")
+    study(studies, "run", "small", "--quick", "--quiet")
+    assert [claim["verdict"] for claim in claims(studies, "studies-quick")][1] == "not determined"
+
+
+def test_two_ensembles_of_one_name_are_refused(studies):
+    (studies.path / "studies/small/other").mkdir()
+    studies.scene(SWEEP, "studies/small/other/heaps.toml")
+    studies.scene(STUDY.replace("ensembles/heaps", "other/heaps"), "studies/small/second.toml")
+    studies.refused("study", "run", "all", "--studies", "studies", parts=("other/heaps.toml: has the name of",))
+
+
 # Three rigid discs on a row have more forces than balances; nothing else is asked of the numbers here.
 def test_force_ranges_are_computed_once(studies):
     rigid = HEAP.replace("[base]", '[method]\nkind = "contact-dynamics"\n[base]', 1).replace("count = 40", "count = 6")

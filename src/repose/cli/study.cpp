@@ -108,6 +108,18 @@ SweepTable table_of(const std::string& path, bool wanted) {
   return folder.table();
 }
 
+/// Throws InputError if two ensembles of one group have the same file name, and so would share a folder.
+void check_ensembles(const StudyOptions& options, const std::vector<Study>& studies) {
+  std::map<std::string, std::string> files;
+  for (const auto& study : studies) {
+    if (study.ensemble.empty()) continue;
+    const auto& first = files.emplace(ensemble_folder(options, study), study.ensemble).first->second;
+    if (first == study.ensemble) continue;
+    throw InputError(fmt::format("{}: ensemble = {}: has the name of {}; give one of them another", study.file,
+                                 study.ensemble, first));
+  }
+}
+
 int run(const StudyOptions& options, const std::vector<StudyFile>& chosen) {
   // All files are read before anything runs, so that a mistake in the last one is found first.
   std::vector<Study> studies;
@@ -120,7 +132,8 @@ int run(const StudyOptions& options, const std::vector<StudyFile>& chosen) {
     }
   }
   if (!problems.empty()) throw InputError(problems);
-  std::map<std::string, SweepTable> tables;  // by ensemble
+  check_ensembles(options, studies);
+  std::map<std::string, SweepTable> tables;  // by folder of the ensemble
   std::vector<std::string> names;
   int status = 0;
   for (const auto& study : studies) {

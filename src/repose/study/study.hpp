@@ -60,9 +60,10 @@ std::vector<StudyFile> chosen_studies(const std::vector<StudyFile>& all, const s
 Study read_study(const StudyFile& file, SweepForm form);
 
 /// The study with its verdicts as JSON; `table` is that of the ensemble in `folder` (both empty without one), `place`
-/// the folder that the text is for. A number of a model has no error: the claim agrees where it lies within the bounds,
-/// and disagrees elsewhere. So does the deviation of a profile that is the same in all members; where members differ it
-/// is undecided. Validated by tests/cli/test_study.py.
+/// the folder that the text is for. A number of a model is exact, unless the
+/// model draws random numbers and has its standard error. The deviation of a profile is exact where all members have
+/// the same profile, undecided where they differ, and not determined for rigid grains. Validated by
+/// tests/cli/test_study.py.
 std::string study_json(const Study& study, SweepForm form, const SweepTable& table, const std::string& folder,
                        const std::string& place);
 

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "repose/analysis/inference.hpp"
 #include "repose/comparison/base_overlay.hpp"
 #include "repose/study/study.hpp"
+#include "repose/sweep/determined.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -20,11 +22,26 @@ using Json = nlohmann::ordered_json;
 
 Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-/// A claim on a number without error, with the keys that claims on ensembles have.
-Json judged(const Claim& claim, const std::string& kind, const std::string& points, double value, bool decided) {
-  const bool holds = value > claim.above && value < claim.below;
-  const auto* word = std::isnan(value) ? "no data" : !decided ? "undecided" : holds ? "agrees" : "disagrees";
-  const auto end = json_number(decided ? value : std::nan(""));
+/// What is known of a number: its interval is a point where it is exact, and NaN where it has none.
+struct Found {
+  double value, error, low, high;
+  std::string test = "exact";
+  Json count = nullptr;
+};
+
+Found exactly(double value) { return {value, 0.0, value, value}; }
+
+/// By the rule of all claims: the interval lies within the bounds, wholly outside, or neither.
+const char* word_of(const Claim& claim, const Found& found) {
+  if (std::isnan(found.value)) return "no data";
+  if (found.low > claim.above && found.high < claim.below) return "agrees";
+  if (found.high <= claim.above || found.low >= claim.below) return "disagrees";
+  return "undecided";
+}
+
+/// A claim with the keys that claims on ensembles have.
+Json judged(const Claim& claim, const std::string& kind, const std::string& points, const Found& found,
+            const char* word) {
   return {{"claim", claim.text},
           {"source", claim.source},
           {"measure", claim.measure},
@@ -32,13 +49,13 @@ Json judged(const Claim& claim, const std::string& kind, const std::string& poin
           {"points", points},
           {"above", json_number(claim.above)},
           {"below", json_number(claim.below)},
-          {"value", json_number(value)},
-          {"error", json_number(decided ? 0.0 : std::nan(""))},
+          {"value", json_number(found.value)},
+          {"error", json_number(found.error)},
           {"verdict", word},
-          {"low", end},
-          {"high", end},
-          {"test", "exact"},
-          {"n", nullptr},
+          {"low", json_number(found.low)},
+          {"high", json_number(found.high)},
+          {"test", found.test},
+          {"n", found.count},
           {"verdict_holm", word}};
 }
 
@@ -48,10 +65,27 @@ std::string written(const std::string& model, const std::vector<theory::Setting>
   return text;
 }
 
+/// The number of independent runs of a model that draws random numbers; 0 for others.
+double runs_of(const theory::Model& model) {
+  for (const auto& parameter : theory::parameters_of(model)) {
+    if (parameter.name == "runs") return std::stod(parameter.value);
+  }
+  return 0.0;
+}
+
+/// A number NAME is exact unless its model has NAME_error too, the standard error between its runs.
 Json judged(const ModelClaim& wanted) {
-  const auto table = theory::predict(theory::make_model(wanted.model, wanted.settings));
-  return judged(wanted.claim, "model", written(wanted.model, wanted.settings), table.number(wanted.claim.measure),
-                true);
+  const auto model = theory::make_model(wanted.model, wanted.settings);
+  const auto table = theory::predict(model);
+  const auto& name = wanted.claim.measure;
+  auto found = exactly(table.number(name));
+  for (const auto& number : table.numbers) {
+    if (number.name != name + "_error" || !(number.value > 0.0)) continue;
+    const double runs = runs_of(model);
+    const auto inference = value_by_t(found.value, number.value, runs - 1.0);
+    found = {found.value, number.value, inference.low, inference.high, "t", static_cast<std::size_t>(runs)};
+  }
+  return judged(wanted.claim, "model", written(wanted.model, wanted.settings), found, word_of(wanted.claim, found));
 }
 
 bool same_base(const BaseProfile& a, const BaseProfile& b) {
@@ -101,9 +135,17 @@ Json judged(const ProfileClaim& wanted, const Study& study, const SweepTable& ta
     if (first == nullptr) first = &member;
     same &= same_base(member.base, first->base);
   }
-  const double value = first == nullptr ? std::nan("") : deviation(wanted, measured_base(folder, point));
+  const double none = std::nan("");
+  Found found{none, none, none, none};
+  if (first != nullptr) found.value = deviation(wanted, measured_base(folder, point));
+  if (same) found = exactly(found.value);
+  // The rule for base forces of rigid grains (sweep/determined.hpp), which knows measures by their names.
+  auto of_profile = wanted.claim;
+  of_profile.measure = "profile.deviation";
+  const bool determined = is_determined(of_profile, study.plan, table);
+  const auto* word = determined || first == nullptr ? word_of(wanted.claim, found) : "not determined";
   const auto against = written(wanted.against.model, wanted.against.settings);
-  return judged(wanted.claim, "profile", wanted.claim.points.front() + " against " + against, value, same);
+  return judged(wanted.claim, "profile", wanted.claim.points.front() + " against " + against, found, word);
 }
 
 }  // namespace
