@@ -69,6 +69,23 @@ TEST(SceneRead, ValuesAndDefaults) {
   EXPECT_NEAR(scene.time_step() * scene.contact_frequency(), 0.5, 1e-12);
 }
 
+// Released above the highest grain, a grain may fall past all of the heap: the height of a triangle of 300 discs, as
+// expected_column gives it, unless sides are nearer by than that.
+TEST(SceneRead, FallFromAboveTheHeapIncludesTheHeap) {
+  const auto fall = [](const std::string& above, const std::string& more) {
+    const auto scene = scene_from_text(fmt::format("base = {{ kind = 'row', half_width = 30 }}\nstop = {{ time = 1 }}\n"
+                                                   "source = {{ kind = 'pour', count = 300, rate = 1, height = 5, "
+                                                   "height_above = '{}' }}\n{}",
+                                                   above, more),
+                                       "scene.toml");
+    return 0.5 * scene.fastest_fall() * scene.fastest_fall();
+  };
+  const std::string pipe = "[[plane]]\npoint = [-4, 0]\nnormal = [1, 0]\n[[plane]]\npoint = [4, 0]\nnormal = [-1, 0]\n";
+  EXPECT_NEAR(fall("base", ""), 5.0, 1e-12);
+  EXPECT_NEAR(fall("apex", ""), 5.0 + std::sqrt(300 * 0.9 / std::sqrt(3.0)), 1e-12);
+  EXPECT_NEAR(fall("apex", pipe), 5.0 + 4.0, 1e-12);
+}
+
 // The complete scene contains every key and reads back as itself.
 TEST(SceneWrite, RoundTrip) {
   const std::string hooke = R"(

@@ -115,4 +115,14 @@ Box<2> make_box(const Scene& scene) {
   return box;
 }
 
+UprightSides upright_sides(const Scene& scene) {
+  UprightSides sides{-scene.box.half_width, scene.box.half_width};
+  for (const auto& plane : scene.planes) {
+    if (plane.normal[1] != 0.0) continue;
+    if (plane.normal[0] > 0.0) sides.left = std::max(sides.left, plane.point[0]);
+    if (plane.normal[0] < 0.0) sides.right = std::min(sides.right, plane.point[0]);
+  }
+  return sides;
+}
+
 }  // namespace repose

@@ -37,4 +37,10 @@ std::string partner_name(const Scene& scene, std::int64_t partner);
 
 Box<2> make_box(const Scene& scene);
 
+/// The sides [L] between which grains lie at the start: those of the box, or upright planes nearer by.
+struct UprightSides {
+  double left = 0.0, right = 0.0;
+};
+UprightSides upright_sides(const Scene& scene);
+
 }  // namespace repose

@@ -4,6 +4,7 @@
 
 #include "repose/core/reproducible_math.hpp"
 #include "repose/laws/any_law.hpp"
+#include "repose/scene/geometry.hpp"
 #include "repose/scene/scene.hpp"
 
 #include <algorithm>
@@ -61,14 +62,8 @@ double highest_fall(const Scene& scene) {
 double length_beside_grains(const Scene& scene, const Wall<2>& wall) {
   if (wall.finite()) return 2.0 * wall.half_length;
   if (std::fabs(wall.normal[1]) < std::fabs(wall.normal[0])) return std::numeric_limits<double>::infinity();
-  double left = -scene.box.half_width;
-  double right = scene.box.half_width;
-  for (const auto& plane : scene.planes) {
-    if (plane.normal[1] != 0.0) continue;
-    if (plane.normal[0] > 0.0) left = std::max(left, plane.point[0]);
-    if (plane.normal[0] < 0.0) right = std::min(right, plane.point[0]);
-  }
-  return std::max(0.0, right - left) / std::fabs(wall.normal[1]);
+  const auto sides = upright_sides(scene);
+  return std::max(0.0, sides.right - sides.left) / std::fabs(wall.normal[1]);
 }
 
 }  // namespace

@@ -27,7 +27,14 @@ void DropSource::check(const Scene& scene, Problems& problems) const {
   }
 }
 
-double DropSource::fall(const Scene& scene) const { return height + scene.rise(velocity); }
+double DropSource::fall(const Scene& scene) const {
+  // From above the highest grain of a heap, a grain may fall past the heap. No slope is steeper than 45 degrees for
+  // long, so the lowest place is no farther below than the sides are away.
+  const auto sides = upright_sides(scene);
+  const double heap =
+      std::min(scene.expected_column() * scene.grains.diameter, std::max(sides.right - x, x - sides.left));
+  return height + (above_apex() ? heap : 0.0) + scene.rise(velocity);
+}
 
 double DropSource::expected_end(const Scene& scene) const {
   const double poured = static_cast<double>(count) / rate;
