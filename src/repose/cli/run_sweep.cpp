@@ -36,8 +36,9 @@ int run_sweep(const SweepRun& wanted) {
   const auto problems = SweepFolder::problems(wanted.folder, plan, wanted.overwrite);
   if (!problems.empty()) throw InputError(problems);
   const int processes = processes_for(plan, wanted.processes > 0 ? wanted.processes : machine_threads());
-  const SweepFolder folder(wanted.folder, wanted.file, std::move(plan), wanted.overwrite, wanted.form);
-  Sweep sweep(folder, std::min(processes, static_cast<int>(folder.members().size())));
+  const SweepFolder folder(wanted.folder, wanted.file, std::move(plan), wanted.overwrite, wanted.form,
+                           wanted.part ? FolderLock::For::several : FolderLock::For::one);
+  Sweep sweep(folder, std::min(processes, static_cast<int>(folder.members().size())), wanted.part);
   catch_signals();
   SweepView view(folder, sweep, wanted.quiet);
   sweep.run([&](std::size_t member) { view.ended(member); }, [&] { view.tick(); }, interrupted);
@@ -47,6 +48,14 @@ int run_sweep(const SweepRun& wanted) {
   if (!wanted.quiet && wanted.with_result) say("{}", describe_table(folder, table));
   if (interrupted) return exit_interrupted;
   return sweep.count(MemberProgress::Stage::failed) > 0 ? exit_run_trouble : 0;
+}
+
+int collect_sweep(const std::string& path, bool quiet) {
+  const SweepFolder folder(path);
+  const auto table = folder.table();
+  folder.write(table);
+  if (!quiet) say("{}", describe_table(folder, table));
+  return 0;
 }
 
 }  // namespace repose

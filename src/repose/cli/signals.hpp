@@ -6,10 +6,11 @@
 
 namespace repose {
 
-/// True after Ctrl-C or SIGTERM, once `catch_signals` was called.
+/// True after Ctrl-C, SIGTERM or SIGUSR1, once `catch_signals` was called.
 extern std::atomic<bool> interrupted;
 
-/// From now on the first Ctrl-C or SIGTERM sets `interrupted`; a second one kills the program.
+/// From now on the first Ctrl-C, SIGTERM or SIGUSR1, by which batch systems announce the end of the time, sets
+/// `interrupted`; a second one kills the program.
 void catch_signals();
 
 }  // namespace repose

@@ -8,8 +8,12 @@
 #include "repose/core/errors.hpp"
 #include "repose/sweep/folder.hpp"
 
+#include <fmt/format.h>
+
+#include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace repose {
 
@@ -19,7 +23,10 @@ struct SweepOptions {
   std::string file;
   std::string out;
   int processes = 0;
+  std::string part;     // I/N
+  double lease = 60.0;  // [s]
   bool overwrite = false;
+  bool collect = false;
   bool dry = false;
   bool quick = false;
   bool quiet = false;
@@ -37,11 +44,29 @@ std::string folder_for(const SweepOptions& options) {
   return file.stem().string();
 }
 
+std::optional<SweepPart> part_of(const SweepOptions& options) {
+  if (options.part.empty()) return std::nullopt;
+  SweepPart part{.patience = options.lease};
+  char rest = 0;
+  const int read = std::sscanf(options.part.c_str(), "%d/%d%c", &part.number, &part.parts, &rest);
+  if (read != 2 || part.number < 1 || part.number > part.parts) {
+    throw InputError(fmt::format("--share {}: must be I/N, the part I of N parts, from 1 to N", options.part));
+  }
+  if (options.overwrite) throw InputError("--overwrite: one of several that share a sweep cannot remove it");
+  return part;
+}
+
 int act(const SweepOptions& options) {
+  const auto part = part_of(options);
+  if (options.collect && (part || options.overwrite || options.dry)) {
+    throw InputError("--collect: writes tables alone; not with --share, --overwrite or --check");
+  }
+  if (options.collect) return collect_sweep(folder_for(options), options.quiet);
   SweepRun wanted{.file = options.file,
                   .folder = folder_for(options),
                   .form = options.quick ? SweepForm::quick : SweepForm::full,
                   .processes = options.processes,
+                  .part = part,
                   .overwrite = options.overwrite,
                   .quiet = options.quiet};
   if (!options.dry) return run_sweep(wanted);
@@ -76,6 +101,19 @@ Verb sweep_verb() {
                         {.name = "--quick",
                          .about = "Run the small form that the table [quick] of the sweep describes",
                          .target = &options->quick},
+                        {.name = "--share",
+                         .value = "I/N",
+                         .about = "Be part I of N programs that share the sweep, here or on other machines",
+                         .target = &options->part},
+                        {.name = "--lease",
+                         .value = "SECONDS",
+                         .about = "With --share: a program that has not stirred for so long is dead; its members are "
+                                  "taken over (60)",
+                         .target = &options->lease,
+                         .bound = {.least = 1, .most = 86400}},
+                        {.name = "--collect",
+                         .about = "Write the tables of the members that have finished, and run none",
+                         .target = &options->collect},
                         overwrite_argument(options->overwrite, "Remove a sweep that the folder already holds"),
                         {.name = "--check",
                          .about = "Check the sweep and describe its runs, without running",

@@ -51,7 +51,7 @@ std::vector<std::string> folder_problems(const std::string& path) {
   return {};
 }
 
-FolderLock::FolderLock(const std::string& path, double patience)
+FolderLock::FolderLock(const std::string& path, double patience, For writers)
     : path_(path), descriptor_(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
   if (descriptor_ < 0 && (errno == ENOENT || errno == ENOTDIR)) {
     throw InputError(fmt::format("{}: no such folder", path));
@@ -60,8 +60,8 @@ FolderLock::FolderLock(const std::string& path, double patience)
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(patience);
   do {
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
-      return;  // not every file system has locks
+    const int kind = writers == For::one ? LOCK_EX : LOCK_SH;
+    if (::flock(descriptor_, kind | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;  // not every file system has locks
     if (patience > 0.0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   } while (Clock::now() < end);
   ::close(descriptor_);

@@ -18,12 +18,15 @@ std::filesystem::path existing_ancestor(std::filesystem::path path);
 /// not exist yet.
 std::vector<std::string> folder_problems(const std::string& path);
 
-/// Locks a folder for one writer during its lifetime. The system releases the lock if the program is killed.
+/// Locks a folder during its lifetime, for one writer or for several that share it and settle between them who writes
+/// what. The system releases the lock if the program is killed.
 class FolderLock {
  public:
-  /// Throws InputError if the folder does not exist, or if another program holds the lock for longer than `patience`
-  /// [s].
-  explicit FolderLock(const std::string& path, double patience = 0.0);
+  enum class For { one, several };
+
+  /// Throws InputError if the folder does not exist, or if another program keeps this one out for longer than
+  /// `patience` [s].
+  explicit FolderLock(const std::string& path, double patience = 0.0, For writers = For::one);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;

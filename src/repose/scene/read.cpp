@@ -128,13 +128,19 @@ void check_all(const Scene& scene, Problems& problems) {
 }
 
 Scene read_table(const toml::table& root, const std::string& name,
-                 const std::vector<std::pair<std::string, std::string>>& origins, std::vector<std::string> problems) {
+                 const std::vector<std::pair<std::string, std::string>>& origins, std::vector<std::string> problems,
+                 const Scene* earlier = nullptr) {
   Reader reader(root, name);
   for (const auto& [key, origin] : origins) reader.comes_from(key, origin);
   Scene scene;
   show_keys(scene, reader);
   reader.report_unknown_keys();
-  const auto start = look_at_start(scene, reader, std::filesystem::path(name).parent_path().string());
+  std::optional<StartState> start;
+  if (earlier != nullptr) {
+    expect_start(scene, *earlier, reader);
+  } else {
+    start = look_at_start(scene, reader, std::filesystem::path(name).parent_path().string());
+  }
   check_all(scene, reader);
   check_overlaps(scene, start, reader);
   problems.insert(problems.end(), reader.problems().begin(), reader.problems().end());
@@ -165,7 +171,7 @@ Scene scene_from_text(const std::string& text, const std::string& name, const Ov
     root.insert_or_assign("seed", *overrides.seed);
     origins.emplace_back("seed", "--seed");
   }
-  return read_table(root, name, origins, problems);
+  return read_table(root, name, origins, problems, overrides.earlier);
 }
 
 Scene read_scene(const std::string& path, const Overrides& overrides) {

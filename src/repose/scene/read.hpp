@@ -16,6 +16,9 @@ struct Overrides {
   std::vector<std::string> set;      ///< "key=value", the value as in the file; a bare word is taken as text
   std::vector<std::string> origins;  ///< where the entries of `set` stand, for messages; the command line if left out
   std::optional<std::int64_t> seed;
+  /// The scene of the run whose end start.from is, while that run is yet to come; the scene is then checked for its
+  /// grains as far as these are known.
+  const Scene* earlier = nullptr;
 };
 
 /// Reads and checks a scene file. Throws InputError with every problem found, one line each:

@@ -40,6 +40,7 @@ struct StartFrom {
 
   // What reading the scene finds there.
   std::string path;        ///< from, as the program opens it
+  bool expected = false;   ///< the run that it comes from is yet to come
   bool histories = false;  ///< contacts remember what they did in the run that it comes from
   bool base = false;       ///< some of the grains are base grains
   std::int64_t moving = 0;

@@ -95,6 +95,14 @@ void check_room(const StartState& state, const Scene& scene, Reader& reader) {
   }
 }
 
+void check_base(const Scene& scene, Reader& reader) {
+  if (!scene.start.base || !scene.base->of_grains()) return;
+  if (!reader.sound("base.kind")) return;
+  reader.problem("base.kind", fmt::format(" = \"{}\": the grains of start.from bring their base with them; leave "
+                                          "base.kind out",
+                                          scene.base->name()));
+}
+
 void check_grains(const StartState& state, const Scene& scene, Reader& reader) {
   const auto materials = scene.material_names().size();
   std::size_t outside = 0;
@@ -119,11 +127,7 @@ void check_grains(const StartState& state, const Scene& scene, Reader& reader) {
                                              "the same list of [[material]]",
                                              says, unknown));
   }
-  if (scene.start.base && scene.base->of_grains() && reader.sound("base.kind")) {
-    reader.problem("base.kind", fmt::format(" = \"{}\": the grains of start.from bring their base with them; leave "
-                                            "base.kind out",
-                                            scene.base->name()));
-  }
+  check_base(scene, reader);
 }
 
 }  // namespace
@@ -154,6 +158,30 @@ std::optional<StartState> look_at_start(Scene& scene, Reader& reader, const std:
     }
   }
   return std::nullopt;
+}
+
+void expect_start(Scene& scene, const Scene& earlier, Reader& reader) {
+  auto& start = scene.start;
+  start.path = start.from + "/run.h5";
+  start.expected = true;
+  start.smallest = earlier.smallest_diameter();
+  start.largest = earlier.largest_diameter();
+  start.base = earlier.start.base || earlier.base->of_grains();
+  start.lightest = earlier.start.lightest;
+  start.moving = earlier.start.moving + earlier.source->released() + earlier.source->placed() +
+                 std::count_if(earlier.placed.begin(), earlier.placed.end(),
+                               [](const PlacedGrain& grain) { return !grain.fixed; });
+  const double diameter = earlier.usual_diameter();
+  start.total_mass = static_cast<double>(start.moving) * scene.mass_of(diameter, scene.material_names().front());
+  start.total_size = static_cast<double>(start.moving) * diameter;
+  start.histories = keeps_contacts(start) && memory_of(earlier) == memory_of(scene);
+  check_base(scene, reader);
+}
+
+Scene with_own_start(Scene scene) {
+  auto& start = scene.start;
+  if (!start.from.empty()) start.from = "start" + fs::path(start.path).extension().string();
+  return scene;
 }
 
 }  // namespace repose

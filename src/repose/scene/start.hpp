@@ -16,4 +16,10 @@ namespace repose {
 /// the scene starts from nothing.
 std::optional<StartState> look_at_start(Scene& scene, Reader& reader, const std::string& folder);
 
+/// The same for the end of a run of `earlier` that is yet to come, as far as that scene tells.
+void expect_start(Scene& scene, const Scene& earlier, Reader& reader);
+
+/// The scene as a run keeps it: its start is the copy that lies beside it in the run folder.
+Scene with_own_start(Scene scene);
+
 }  // namespace repose

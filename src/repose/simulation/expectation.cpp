@@ -11,6 +11,22 @@
 
 namespace repose {
 
+namespace {
+
+struct GrainCount {
+  double all = 0.0;
+  double moving = 0.0;
+};
+
+GrainCount grains_at_start(const Scene& scene) {
+  const auto expected = static_cast<double>(scene.start.moving);
+  if (scene.start.expected) return {expected, expected};
+  const auto grains = initial_grains(scene);
+  return {static_cast<double>(grains.size()), static_cast<double>(moving_count(grains))};
+}
+
+}  // namespace
+
 double expected_end(const Scene& scene) {
   if (scene.stop.time && !scene.stop.at_rest) return *scene.stop.time;
   const double end = scene.source->expected_end(scene);
@@ -18,8 +34,7 @@ double expected_end(const Scene& scene) {
 }
 
 double expected_work(const Scene& scene, double time) {
-  const auto at_start = static_cast<double>(moving_count(initial_grains(scene))) * time;
-  return (at_start + scene.source->expected_work(scene, time)) / scene.time_step();
+  return (grains_at_start(scene).moving * time + scene.source->expected_work(scene, time)) / scene.time_step();
 }
 
 double expected_memory(const Scene& scene) {
@@ -28,8 +43,7 @@ double expected_memory(const Scene& scene) {
   constexpr double copies = 2.0;  // the record of a run is one
   constexpr double day = 86400.0;
   const auto traits = scene.method->traits();
-  const double grains =
-      static_cast<double>(initial_grains(scene).size()) + static_cast<double>(scene.source->released());
+  const double grains = grains_at_start(scene).all + static_cast<double>(scene.source->released());
   double memory = of_program + of_grain * grains;
   if (!traits.follows_time) return memory;
   const double end = expected_end(scene);

@@ -8,6 +8,7 @@
 #include "repose/io/hash.hpp"
 #include "repose/io/state.hpp"
 #include "repose/scene/geometry.hpp"
+#include "repose/scene/start.hpp"
 #include "repose/scene/write.hpp"
 #include "repose/simulation/methods.hpp"
 #include "repose/simulation/sources/initial.hpp"
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 
 namespace repose {
@@ -49,13 +49,6 @@ std::int64_t drop_outside(const Box<2>& box, Grains<2>& grains, Contacts<2>& con
   std::erase_if(contacts.list,
                 [&](const auto& contact) { return has_left(contact.first) || has_left(contact.second); });
   return static_cast<std::int64_t>(left.size());
-}
-
-/// The scene as the run keeps it: its start is the copy that lies beside it in the run folder.
-Scene with_own_start(Scene scene) {
-  auto& start = scene.start;
-  if (!start.from.empty()) start.from = "start" + std::filesystem::path(start.path).extension().string();
-  return scene;
 }
 
 }  // namespace

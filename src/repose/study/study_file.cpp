@@ -22,9 +22,9 @@ namespace repose {
 namespace {
 
 /// Reads the keys of a study file and collects what is wrong with them.
-class StudyReader {
+class StudyReader : TableReader {
  public:
-  StudyReader(toml::table& root, std::string path) : root_(root), path_(std::move(path)) {}
+  StudyReader(toml::table& root, std::string path) : TableReader(std::move(path)), root_(root) {}
 
   void read(Study& study, SweepForm form) {
     check_keys(root_, "", {"title", "source", "states", "remark", "ensemble", "force_range", "claim", "figure"});
@@ -32,10 +32,7 @@ class StudyReader {
     study.source = text(root_, "", "source", true);
     study.states = text(root_, "", "states", true);
     study.remark = text(root_, "", "remark", false);
-    if (const auto* node = root_.get("force_range")) {
-      if (!node->is_boolean()) problem(*node, "force_range: must be true or false");
-      study.force_range = node->value_or(false);
-    }
+    study.force_range = flag(root_, "", "force_range");
     read_figure(study);
     auto claims = take_claims();
     take_claims_on_theory(claims, study);
@@ -55,27 +52,6 @@ class StudyReader {
   }
 
  private:
-  void problem(const toml::node& node, const std::string& what) {
-    problems_.push_back(fmt::format("{}:{}: {}", path_, node.source().begin.line, what));
-  }
-
-  void check_keys(const toml::table& table, const std::string& prefix, const std::set<std::string>& known) {
-    for (const auto& [key, value] : table) {
-      if (known.contains(std::string(key.str()))) continue;
-      problem(value, fmt::format("{}{}: unknown key; known here: {}", prefix, key.str(), fmt::join(known, ", ")));
-    }
-  }
-
-  std::string text(const toml::table& table, const std::string& prefix, const std::string& key, bool needed) {
-    const auto* node = table.get(key);
-    if (node == nullptr) {
-      if (needed) problem(table, fmt::format("{}{}: missing", prefix, key));
-      return "";
-    }
-    if (!node->is_string()) problem(*node, fmt::format("{}{} = {}: must be text", prefix, key, toml_text(*node)));
-    return node->value_or(std::string());
-  }
-
   void read_figure(Study& study) {
     const auto* node = root_.get("figure");
     if (node == nullptr) return problem(root_, "figure: missing");
@@ -212,8 +188,6 @@ class StudyReader {
   }
 
   toml::table& root_;
-  std::string path_;
-  std::vector<std::string> problems_;
 };
 
 /// A name with its numbers padded, so that fig10 comes after fig9.

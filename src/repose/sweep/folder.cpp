@@ -3,6 +3,7 @@
 #include "repose/sweep/folder.hpp"
 
 #include "repose/core/errors.hpp"
+#include "repose/core/failure.hpp"
 #include "repose/io/folders.hpp"
 #include "repose/io/hdf5_file.hpp"
 #include "repose/io/hdf5_reader.hpp"
@@ -12,6 +13,8 @@
 #include "repose/results/summary.hpp"
 #include "repose/run_folder/run_folder.hpp"
 #include "repose/scene/read.hpp"
+#include "repose/scene/start.hpp"
+#include "repose/scene/toml_text.hpp"
 #include "repose/scene/write.hpp"
 #include "repose/sweep/pooled_drops.hpp"
 #include "repose/sweep/response.hpp"
@@ -19,10 +22,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <thread>
 
 namespace fs = std::filesystem;
 
@@ -33,7 +38,7 @@ namespace {
 constexpr const char* own_files[] = {"sweep.toml",  "table.csv",    "members.csv",  "claims.csv",
                                      "claims.json", "sweep.h5",     "response.csv", "response.json",
                                      "heights.csv", "heights.json", "drops.csv",    "summary.json"};
-constexpr const char* own_folders[] = {"scenes", "members", "pictures"};
+constexpr const char* own_folders[] = {"scenes", "members", "pictures", "leases"};
 
 /// The content of a file; "" if it cannot be read.
 std::string content_of(const fs::path& path) {
@@ -52,6 +57,14 @@ bool has_just_begun(const std::string& path) {
     if (name != "scenes" && name != "sweep.toml.tmp") return false;
   }
   return !error;
+}
+
+/// Whether a folder has these files.
+bool holds(const std::string& path, const std::vector<SweepFile>& files) {
+  return std::all_of(files.begin(), files.end(), [&](const SweepFile& file) {
+    const auto place = fs::path(path) / file.name;
+    return file.copy_of.empty() ? content_of(place) == file.text : path_exists(place);
+  });
 }
 
 /// Adds what the analysis of a member found beside its summary: the slices of its column, the drops of its slips.
@@ -73,10 +86,11 @@ std::string folder_of(const std::string& path, const SweepPlan& plan, const Memb
   return fmt::format("{}/members/{}/seed-{}", path, plan.points[member.point].name, member.seed);
 }
 
-Scene scene_with_seed(const SweepPlan& plan, const Member& member) {
+/// The scene of a member as its folder keeps it.
+std::string text_of(const SweepPlan& plan, const Member& member) {
   Scene scene = plan.points[member.point].scene;
   scene.seed = member.seed;
-  return scene;
+  return scene_text(with_own_start(scene));
 }
 
 /// Names and values of all summaries side by side. Leaves out a name that is an object in another summary.
@@ -111,7 +125,7 @@ std::vector<std::string> SweepFolder::problems(const std::string& path, const Sw
   if (overwrite) return {};
   for (const auto& member : members_of(plan)) {
     const fs::path scene = fs::path(folder_of(path, plan, member)) / "scene.toml";
-    if (!fs::exists(scene, error) || content_of(scene) == scene_text(scene_with_seed(plan, member))) continue;
+    if (!fs::exists(scene, error) || content_of(scene) == text_of(plan, member)) continue;
     found.push_back(
         fmt::format("{}: was made from another scene than this sweep's; choose another --out, or --overwrite",
                     scene.parent_path().string()));
@@ -127,16 +141,36 @@ SweepFolder::SweepFolder(std::string path) : path_(std::move(path)) {
 }
 
 SweepFolder::SweepFolder(std::string path, const std::string& sweep_file, SweepPlan plan, bool overwrite,
-                         SweepForm form)
+                         SweepForm form, FolderLock::For writers)
     : path_(std::move(path)), plan_(std::move(plan)), members_(members_of(plan_)) {
   const auto files = self_contained(sweep_file, form);
   std::error_code error;
   fs::create_directories(path_, error);
   if (error) throw InputError(fmt::format("{}: cannot make the folder: {}", path_, error.message()));
   constexpr double patience = 5.0;  // [s] members of a killed sweep may still hold the lock
-  lock_ = std::make_unique<FolderLock>(path_, patience);
+  const auto start = std::chrono::steady_clock::now();
+  // The first of several that share the folder writes the files alone; all then hold it together.
+  while (writers == FolderLock::For::several && !(is_one(path_) && holds(path_, files))) {
+    const bool late = std::chrono::steady_clock::now() - start > std::chrono::duration<double>(patience);
+    try {
+      lock_ = std::make_unique<FolderLock>(path_);
+    } catch (const InputError&) {
+      if (late) throw;
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      continue;
+    }
+    write_files(files, overwrite);
+    lock_.reset();
+  }
+  lock_ = std::make_unique<FolderLock>(path_, patience, writers);
+  if (writers == FolderLock::For::one) write_files(files, overwrite);
+}
+
+/// Removes an older sweep on request, and writes the sweep file and its scenes. The folder must be locked.
+void SweepFolder::write_files(const std::vector<SweepFile>& files, bool overwrite) const {
   // Another sweep may have been here until now.
   if (const auto found = problems(path_, plan_, overwrite); !found.empty()) throw InputError(found);
+  std::error_code error;
   if (overwrite && is_one(path_)) {
     for (const auto* name : own_folders) fs::remove_all(fs::path(path_) / name, error);
     for (const auto* name : own_files) fs::remove(fs::path(path_) / name, error);
@@ -146,10 +180,15 @@ SweepFolder::SweepFolder(std::string path, const std::string& sweep_file, SweepP
   try {
     // The scenes come first: a folder with a sweep.toml must be readable.
     for (auto file = files.rbegin(); file != files.rend(); ++file) {
-      write_text_file(path_ + "/" + file->name, file->text);
+      const auto place = path_ + "/" + file->name;
+      if (file->copy_of.empty()) {
+        write_text_file(place, file->text);
+      } else if (!fs::equivalent(file->copy_of, place, error)) {  // a sweep continued from its own file has it
+        fs::copy_file(file->copy_of, place, fs::copy_options::overwrite_existing);
+      }
     }
-  } catch (const RunError& failure) {
-    throw InputError(failure.what());
+  } catch (const std::exception& failure) {
+    throw InputError(message_of(failure));
   }
 }
 
@@ -159,7 +198,19 @@ void SweepFolder::check_place() const {
 
 std::string SweepFolder::member_path(const Member& member) const { return folder_of(path_, plan_, member); }
 
-Scene SweepFolder::scene_of(const Member& member) const { return scene_with_seed(plan_, member); }
+Scene SweepFolder::scene_of(const Member& member) const {
+  const auto& point = plan_.points[member.point];
+  if (!point.starts_from) {
+    auto scene = point.scene;
+    scene.seed = member.seed;
+    return scene;
+  }
+  auto overrides = point.overrides;
+  overrides.seed = member.seed;
+  const auto from = fs::absolute(member_path({*point.starts_from, member.seed})).string();
+  overrides.set.push_back(fmt::format("start.from = {}", toml_quoted(from)));
+  return read_scene(point.file, overrides);
+}
 
 std::string SweepFolder::status_of(const Member& member) const {
   const fs::path folder = member_path(member);
@@ -198,6 +249,9 @@ SweepTable SweepFolder::table() const {
 
 void SweepFolder::write(const SweepTable& table) const {
   check_place();
+  // Programs that share the sweep write the same tables one after the other.
+  constexpr double patience = 600.0;  // [s]
+  const FolderLock others_wait(path_ + "/scenes", patience);
   // The old summary compares theory with profiles that are about to change, and holds nothing else.
   std::error_code error;
   fs::remove(fs::path(path_) / "summary.json", error);

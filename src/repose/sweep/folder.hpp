@@ -31,16 +31,17 @@ class SweepFolder {
   /// Opens the folder of an earlier `repose sweep`. Throws InputError if `path` is no such folder.
   explicit SweepFolder(std::string path);
   /// Makes the folder, or continues the sweep in it; `overwrite` removes an older sweep first. The plan is that of
-  /// `sweep_file` in this form. Locks the folder for as long as this object lives. Throws InputError, also if another
-  /// program sweeps there.
+  /// `sweep_file` in this form. Locks the folder for as long as this object lives, against all others or against those
+  /// that do not share it. Throws InputError, also if another program sweeps there.
   SweepFolder(std::string path, const std::string& sweep_file, SweepPlan plan, bool overwrite,
-              SweepForm form = SweepForm::full);
+              SweepForm form = SweepForm::full, FolderLock::For writers = FolderLock::For::one);
 
   const std::string& path() const { return path_; }
   const SweepPlan& plan() const { return plan_; }
   /// All members, seeds of the first point first.
   const std::vector<Member>& members() const { return members_; }
   std::string member_path(const Member& member) const;
+  /// Throws InputError where the member starts from one that has not finished.
   Scene scene_of(const Member& member) const;
   /// Throws RunError if the folder has been moved or deleted since it was locked.
   void check_place() const;
@@ -59,6 +60,8 @@ class SweepFolder {
   std::size_t analyse(const FurtherAnalysis& further = {}) const;
 
  private:
+  void write_files(const std::vector<SweepFile>& files, bool overwrite) const;
+
   std::string path_;
   std::unique_ptr<FolderLock> lock_;  // null in a folder that is opened to be read
   SweepPlan plan_;

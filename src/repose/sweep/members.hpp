@@ -3,13 +3,16 @@
 #pragma once
 
 #include "repose/sweep/folder.hpp"
+#include "repose/sweep/leases.hpp"
 
 #include <sys/types.h>
 
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,12 +28,21 @@ struct MemberProgress {
   std::string message;  ///< why it failed
 };
 
+/// The part of one of several programs that share a sweep: it begins with every `parts`-th member, and then helps with
+/// those that no other program holds.
+struct SweepPart {
+  int number = 1;  ///< from 1 to `parts`
+  int parts = 1;
+  double patience = 60.0;  ///< [s] after which a program that does not stir is taken for dead
+};
+
 /// Runs the members of a sweep side by side, each in a process of its own, so that a crash of one leaves the others
 /// alone. A member that has finished or failed is never run again, unless its run.h5 is missing or damaged; an
-/// interrupted one resumes from its checkpoint, or starts again without one.
+/// interrupted one resumes from its checkpoint, or starts again without one. Several programs may share a sweep; each
+/// then returns when all members have ended, its own and those of the others.
 class Sweep {
  public:
-  Sweep(const SweepFolder& folder, int processes);
+  Sweep(const SweepFolder& folder, int processes, const std::optional<SweepPart>& part = {});
   ~Sweep();
   Sweep(const Sweep&) = delete;
   Sweep& operator=(const Sweep&) = delete;
@@ -54,7 +66,14 @@ class Sweep {
     std::chrono::steady_clock::time_point started;
   };
 
+  void take_part(const SweepPart& part);
+  std::string lease_of(std::size_t member) const;
+  void notice(std::size_t member);  // that another program has ended it
+  bool may_run(std::size_t member);
   void stop_members();
+  std::optional<std::size_t> before(std::size_t member) const;  // the member that one starts from
+  /// Takes the next member out of the queue that can start. Those whose start failed fail too.
+  std::optional<std::size_t> next(const std::function<void(std::size_t member)>& changed);
   void start(std::size_t slot, std::size_t member);
   void update_progress(std::size_t slot);
   void end(std::size_t slot, int status);
@@ -63,8 +82,9 @@ class Sweep {
   const SweepFolder& folder_;
   std::vector<MemberProgress> progress_;
   std::vector<double> work_;  // of each member, estimated
-  std::vector<std::size_t> queue_;
-  std::size_t next_ = 0;
+  std::list<std::size_t> queue_;
+  std::unique_ptr<Leases> leases_;                    // null where one program runs all
+  std::chrono::steady_clock::time_point searched_{};  // when all members that are left had to wait for others
   std::vector<Worker> workers_;
   Shared* shared_ = nullptr;  // one per worker
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/scene/read.hpp"
 #include "repose/scene/scene.hpp"
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,6 +53,11 @@ struct SweepPoint {
   std::string name;  ///< unique, fit for the name of a folder
   std::vector<Parameter> parameters;
   Scene scene;  ///< the seed is that of the first member
+  /// The point from the ends of whose members those of this one start, seed by seed; it comes before this one. The
+  /// scene of a member is then `file` with `overrides`, read when its start exists.
+  std::optional<std::size_t> starts_from = {};
+  std::string file = {};
+  Overrides overrides = {};
 };
 
 /// An ensemble: points times seeds, read from a sweep file and checked with all its scenes.
@@ -67,6 +74,7 @@ struct SweepPlan {
 struct SweepFile {
   std::string name;  ///< relative to the folder
   std::string text;
+  std::string copy_of = {};  ///< the file whose copy it is, in place of a text
 };
 
 /// A sweep as its file says, or with the changes of its table [quick], which make it small.

@@ -15,45 +15,6 @@
 
 namespace repose {
 
-void SweepReader::problem(const toml::node& node, const std::string& what) {
-  problems_.push_back(fmt::format("{}: {}", place(node), what));
-}
-
-std::string SweepReader::place(const toml::node& node) const {
-  const auto& source = node.source();  // claims may stand in a file of their own
-  const auto& path = source.path ? *source.path : path_;
-  return source.begin.line > 0 ? fmt::format("{}:{}", path, source.begin.line) : path;
-}
-
-void SweepReader::check_keys(const toml::table& table, const std::string& prefix, const std::set<std::string>& known) {
-  for (const auto& [name, child] : table) {
-    if (known.contains(std::string(name.str()))) continue;
-    problem(child, fmt::format("{}{}: unknown key; known here: {}", prefix, name.str(), fmt::join(known, ", ")));
-  }
-}
-
-std::string SweepReader::text(const toml::table& table, const std::string& prefix, const std::string& key,
-                              bool needed) {
-  const auto* node = table.get(key);
-  if (node == nullptr) {
-    if (needed) problem(table, fmt::format("{}{}: missing", prefix, key));
-    return "";
-  }
-  if (!node->is_string()) problem(*node, fmt::format("{}{} = {}: must be text", prefix, key, toml_text(*node)));
-  return node->value_or(std::string());
-}
-
-std::optional<double> SweepReader::number(const toml::table& table, const std::string& prefix, const std::string& key) {
-  const auto* node = table.get(key);
-  if (node == nullptr) return std::nullopt;
-  const auto value = node->is_number() ? node->value<double>() : std::nullopt;
-  if (!value || !std::isfinite(*value)) {
-    problem(*node, fmt::format("{}{} = {}: must be a finite number", prefix, key, toml_text(*node)));
-    return std::nullopt;
-  }
-  return value;
-}
-
 std::vector<std::string> SweepReader::names(const toml::table& table, const std::string& prefix, const std::string& key,
                                             std::size_t least) {
   std::vector<std::string> found;

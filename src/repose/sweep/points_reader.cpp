@@ -22,6 +22,15 @@ Setting SweepReader::setting(const std::string& key, const toml::node& value) co
   return {{key, toml_text(value), number}, place(value)};
 }
 
+bool SweepReader::check_setting(const std::string& key, const std::string& prefix, const toml::node& value) {
+  if (key == "seed") problem(value, fmt::format("{}seed: the sweep sets it; use seeds", prefix));
+  if (key == "start.from") {
+    problem(value,
+            fmt::format("{}start.from: goes into a scene, which is copied with its start; or use starts_from", prefix));
+  }
+  return key != "seed" && key != "start.from";
+}
+
 std::vector<Setting> SweepReader::settings(const toml::table& table, const std::string& prefix) {
   std::vector<Setting> found;
   const auto* node = table.get("set");
@@ -32,7 +41,7 @@ std::vector<Setting> SweepReader::settings(const toml::table& table, const std::
     return found;
   }
   for (const auto& [key, value] : values_below(*values)) {
-    if (key == "seed") problem(*value, fmt::format("{}set.seed: the sweep sets it; use seeds", prefix));
+    check_setting(key, prefix + "set.", *value);
     found.push_back(setting(key, *value));
   }
   return found;
@@ -64,9 +73,8 @@ std::vector<std::vector<Setting>> SweepReader::combinations() {
   }
   for (const auto& [key, value] : values_below(*values)) {
     const auto* list = value->as_array();
-    if (key == "seed") {
-      problem(*value, "vary.seed: the sweep sets it; use seeds");
-    } else if (list == nullptr || list->empty()) {
+    if (!check_setting(key, "vary.", *value)) continue;
+    if (list == nullptr || list->empty()) {
       problem(*value, fmt::format("vary.{} = {}: must be a list of values", key, toml_text(*value)));
     } else {
       std::vector<std::vector<Setting>> grown;
@@ -102,40 +110,81 @@ std::string bare(const std::string& text) {
   return quoted ? text.substr(1, text.size() - 2) : text;
 }
 
-}  // namespace
+/// Whether a key says where grains come from, which a point that starts from the members of another has no use for.
+bool brings_grains(const std::string& key) {
+  const auto table = key.substr(0, key.find('.'));
+  return table == "source" || table == "base" || table == "grain";
+}
 
-void SweepReader::add_point(SweepPlan& plan, const std::string& name, const std::string& scene,
-                            const std::vector<Setting>& common, const std::vector<Setting>& own) {
-  SweepPoint point;
-  point.name = fit_for_a_folder(name);
+Overrides overrides_of(const PointText& wanted, std::int64_t seed) {
   Overrides overrides;
-  overrides.seed = plan.seeds.empty() ? 1 : plan.seeds.front();
-  for (const auto* list : {&common, &own}) {
+  overrides.seed = seed;
+  for (const auto* list : {&wanted.common, &wanted.own, &wanted.varied}) {
     for (const auto& [parameter, origin] : *list) {
+      if (list != &wanted.own && !wanted.starts_from.empty() && brings_grains(parameter.key)) continue;
       overrides.set.push_back(fmt::format("{} = {}", parameter.key, parameter.text));
       overrides.origins.push_back(origin);
     }
   }
-  for (const auto& [parameter, origin] : own) {
-    point.parameters.push_back(parameter);
-    if (std::find(plan.keys.begin(), plan.keys.end(), parameter.key) == plan.keys.end()) {
-      plan.keys.push_back(parameter.key);
-    }
-  }
+  return overrides;
+}
+
+}  // namespace
+
+void SweepReader::check_name(const std::string& name) {
   constexpr std::size_t longest_name = 200;  // file systems allow 255 bytes
-  if (point.name.size() > longest_name) {
+  if (name.size() > longest_name) {
     problems_.push_back(
         fmt::format("{}: the name of a point has {} letters: at most {}; give it a shorter [[point]] name", path_,
-                    point.name.size(), longest_name));
-  } else if (!point_names_.insert(point.name).second) {
-    problems_.push_back(fmt::format("{}: two points have the name \"{}\"", path_, point.name));
+                    name.size(), longest_name));
+  } else if (!point_names_.insert(name).second) {
+    problems_.push_back(fmt::format("{}: two points have the name \"{}\"", path_, name));
+  }
+}
+
+void SweepReader::add_point(SweepPlan& plan, const PointText& wanted) {
+  SweepPoint point;
+  point.name = fit_for_a_folder(wanted.name);
+  check_name(point.name);
+  for (const auto* list : {&wanted.own, &wanted.varied}) {
+    for (const auto& [parameter, origin] : *list) {
+      point.parameters.push_back(parameter);
+      if (std::find(plan.keys.begin(), plan.keys.end(), parameter.key) == plan.keys.end()) {
+        plan.keys.push_back(parameter.key);
+      }
+    }
+  }
+  point.file = (fs::path(path_).parent_path() / wanted.scene).string();
+  point.overrides = overrides_of(wanted, plan.seeds.empty() ? 1 : plan.seeds.front());
+  auto overrides = point.overrides;
+  if (!wanted.starts_from.empty()) {
+    const auto name = fit_for_a_folder(wanted.starts_from);
+    const auto found =
+        std::find_if(plan.points.begin(), plan.points.end(), [&](const auto& other) { return other.name == name; });
+    // A point that is missing, or whose scene is wrong, has been reported.
+    if (found == plan.points.end() || !found->scene.method) return;
+    point.starts_from = static_cast<std::size_t>(found - plan.points.begin());
+    overrides.earlier = &found->scene;
+    overrides.set.push_back(fmt::format("start.from = \"members/{}\"", name));
   }
   try {
-    point.scene = read_scene((fs::path(path_).parent_path() / scene).string(), overrides);
+    point.scene = read_scene(point.file, overrides);
   } catch (const InputError& error) {
     problems_.insert(problems_.end(), error.problems().begin(), error.problems().end());
   }
   plan.points.push_back(std::move(point));
+}
+
+std::string SweepReader::starts_from(const toml::table& table, const std::string& prefix, std::size_t points_before) {
+  const auto name = text(table, prefix, "starts_from", false);
+  if (name.empty()) return "";
+  const auto& list = *root_.get("point")->as_array();
+  for (std::size_t k = 0; k < points_before; ++k) {
+    if (list.get(k)->as_table()->at_path("name").value_or(std::string()) == name) return name;
+  }
+  problem(*table.get("starts_from"),
+          fmt::format("{}starts_from = \"{}\": no such point before this one", prefix, name));
+  return name;
 }
 
 void SweepReader::read_points(SweepPlan& plan) {
@@ -160,15 +209,17 @@ void SweepReader::read_points(SweepPlan& plan) {
     if (!problems_.empty() && general_scene.empty()) return;
     for (const auto& combination : varied) {
       const auto name = named("", combination);
-      add_point(plan, name.empty() ? fs::path(general_scene).stem().string() : name, general_scene, common,
-                combination);
+      add_point(plan, {.name = name.empty() ? fs::path(general_scene).stem().string() : name,
+                       .scene = general_scene,
+                       .common = common,
+                       .varied = combination});
     }
     return;
   }
   for (std::size_t k = 0; k < list->size(); ++k) {
     const auto& table = *list->get(k)->as_table();
     const auto prefix = fmt::format("point[{}].", k);
-    check_keys(table, prefix, {"name", "scene", "set"});
+    check_keys(table, prefix, {"name", "scene", "set", "starts_from"});
     const auto name = text(table, prefix, "name", true);
     auto scene = text(table, prefix, "scene", general_scene.empty());
     if (scene.empty()) scene = general_scene;
@@ -176,11 +227,15 @@ void SweepReader::read_points(SweepPlan& plan) {
       problem(*table.get("name"), prefix + "name = \"\": must not be empty");
     }
     if (name.empty() || scene.empty()) continue;
-    const auto of_point = settings(table, prefix);
+    const auto own = settings(table, prefix);
+    const auto from = starts_from(table, prefix, k);
     for (const auto& combination : varied) {
-      auto own = of_point;
-      own.insert(own.end(), combination.begin(), combination.end());
-      add_point(plan, named(name, combination), scene, common, own);
+      add_point(plan, {.name = named(name, combination),
+                       .scene = scene,
+                       .starts_from = from.empty() ? "" : named(from, combination),
+                       .common = common,
+                       .own = own,
+                       .varied = combination});
     }
   }
 }
