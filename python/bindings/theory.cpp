@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repose/core/errors.hpp"
+#include "bindings.hpp"
+
 #include "repose/theory/models.hpp"
 
 #include <pybind11/numpy.h>
-#include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
 #include <string>
@@ -12,7 +12,6 @@
 
 namespace {
 
-namespace py = pybind11;
 using namespace repose;
 
 /// A table for Python: (columns, numbers), lists of (name, unit, about, value); the value of a column is an array of
@@ -51,9 +50,7 @@ py::dict describe(const theory::Model& model) {
 
 }  // namespace
 
-PYBIND11_MODULE(repose_compiled, module) {
-  module.doc() = "Compiled part of the Python package repose; use repose.theory.";
-  py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
+void bind_theory(py::module_& module) {
   module.def("theory_descriptions", [] {
     py::list all;
     for (const auto& model : theory::default_models()) all.append(describe(model));

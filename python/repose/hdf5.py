@@ -10,6 +10,7 @@ import h5py
 import numpy as np
 
 from repose.errors import RunFolderError, one_line
+from repose.tables import to_pandas
 
 try:
     import xxhash
@@ -30,6 +31,11 @@ class Table(dict):
         missing = [f"{group.name}/{name}" for name in needed.split() if name not in self]
         if missing:
             raise KeyError(f"no dataset {', '.join(missing)}")
+
+
+    def to_pandas(self):
+        """The columns as a DataFrame; ImportError without pandas."""
+        return to_pandas(self)
 
 
 MOST_COMPRESSION = 1100  # no byte of a deflated stream holds more

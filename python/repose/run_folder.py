@@ -12,6 +12,7 @@ from repose.analysis import Analysis
 from repose.errors import RunFolderError
 from repose.hdf5 import Table, attributes_of, check_format, opened, values_of
 from repose.summary import read_summary
+from repose.tables import run_html, to_pandas
 
 FORMAT_VERSION = 4
 FORCES = {"normal_force", "tangential_force", "history", "sliding"}
@@ -35,6 +36,10 @@ class Grains:
     def __len__(self):
         return len(self.id)
 
+    def to_pandas(self):
+        """The grains as a DataFrame; ImportError without pandas."""
+        return to_pandas(vars(self))
+
     @property
     def held(self):
         """Grains that support the heap, (N) bool: base grains and other fixed ones."""
@@ -55,6 +60,11 @@ class Contacts:
 
     def __len__(self):
         return len(self.overlap)
+
+    def to_pandas(self):
+        """The contacts as a DataFrame with the columns first and second; ImportError without pandas."""
+        first, second = self.grains.T
+        return to_pandas({"first": first, "second": second, **{key: value for key, value in vars(self).items() if key != "grains"}})
 
 
 @dataclass(frozen=True)
@@ -113,6 +123,10 @@ class RunFolder:
     def surface(self):
         """Table of the surface profile with the lines of its flanks as attributes; None without an analysis."""
         return self.analysis and self.analysis["surface"]
+
+    def _repr_html_(self):
+        """What a notebook shows of the run."""
+        return run_html(self)
 
     def frame(self, name):
         """State of the saved frame `name`, "000003" or 3."""

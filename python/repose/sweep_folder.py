@@ -11,6 +11,7 @@ from repose.errors import RunFolderError
 from repose.hdf5 import Table, attributes_of, check_format, opened
 from repose.scene_comments import key_comments
 from repose.summary import read_summary
+from repose.tables import sweep_to_pandas
 
 FORMAT_VERSION = 1
 NEEDED = {"title", "units"}
@@ -70,6 +71,11 @@ class SweepFolder:
             comments = key_comments(self._scene_text(name))
             known |= {key: comments[key] for key in self.parameters if key in comments}
         return known
+
+    def to_pandas(self):
+        """A DataFrame with a row per point: parameters, mean and standard error of every measure; ImportError without
+        pandas."""
+        return sweep_to_pandas(self)
 
     def scene(self, point):
         """Tables and keys of the scene of a point, by its name, as of its first member; empty where none can be read."""

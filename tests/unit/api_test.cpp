@@ -165,6 +165,29 @@ TEST(Api, AnInterruptEndsTheRunAndKeepsIt) {
   EXPECT_EQ(resumed.state_hash(), whole.state_hash());
 }
 
+TEST(Api, AnInterruptedAdvanceContinuesToTheSameBits) {
+  const auto scene = small_rain("soft").checked();
+  Simulation whole(scene);
+  whole.advance(4.0);
+  Simulation parts(scene);
+  bool first = true;
+  parts.observe_every(1.0, [&](const Simulation&) {
+    if (first) parts.interrupt();
+    first = false;
+  });
+  EXPECT_LT(parts.advance(4.0), 4.0);
+  EXPECT_EQ(parts.status(), Status::running);
+  EXPECT_EQ(parts.advance(4.0), whole.time());
+  EXPECT_EQ(parts.state_hash(), whole.state_hash());
+}
+
+TEST(Api, ATableIsAValue) {
+  const auto scene = small_rain("soft").checked();
+  const auto springs = scene.with({{"contact.normal", Toml{"{ law = 'hooke', stiffness = 777.0 }"}}}).text();
+  EXPECT_NE(springs.find("stiffness = 777"), std::string::npos);
+  EXPECT_THROW(scene.with({{"contact.normal", Toml{"{ law = 'hook' }"}}}), InputError);
+}
+
 TEST(Api, TheoryGivesTablesWithUnits) {
   const auto table = predict("janssen", {{"height", 20.0}});
   EXPECT_FALSE(table.columns.empty());

@@ -26,6 +26,7 @@ struct TomlText {
     for (const double value : values) text += (text.size() > 1 ? ", " : "") + toml_number(value);
     return text + "]";
   }
+  std::string operator()(const Toml& value) const { return value.text; }
 };
 
 std::string line_of(const std::string& key, const Value& value) {

@@ -17,8 +17,13 @@ struct Scene;
 
 namespace repose::api {
 
+/// A value as a scene file has it, for tables and lists of words: {R"({ law = "hooke", stiffness = 500 })"}.
+struct Toml {
+  std::string text;
+};
+
 /// The value of a key of a scene.
-using Value = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
+using Value = std::variant<bool, std::int64_t, double, std::string, std::vector<double>, Toml>;
 
 /// Keys such as "contact.friction" with their values. The keys are those of docs/reference/scene.md.
 using Settings = std::vector<std::pair<std::string, Value>>;

@@ -62,7 +62,11 @@ Simulation Simulation::resume(const std::string& folder, int threads) {
   return Simulation(std::move(state));
 }
 
-double Simulation::advance(double until) { return state_->simulation.advance(until, state_->pause()).time; }
+double Simulation::advance(double until) {
+  const double reached = state_->simulation.advance(until, state_->pause()).time;
+  state_->interrupted = false;
+  return reached;
+}
 
 void Simulation::run() {
   auto& state = *state_;
@@ -128,6 +132,7 @@ std::vector<Contact> Simulation::contacts() const {
                         contact.overlap,
                         contact.normal_force,
                         contact.tangential_force,
+                        contact.slip,
                         contact.sliding});
   }
   return contacts;

@@ -36,6 +36,7 @@ struct Contact {
   double overlap = 0.0;            ///< [L]
   double normal_force = 0.0;       ///< [M L/T^2]
   double tangential_force = 0.0;   ///< [M L/T^2]
+  double slip = 0.0;               ///< [L] tangential displacement accumulated by the contact
   bool sliding = false;            ///< at the Coulomb limit
 };
 
@@ -70,7 +71,8 @@ class Simulation {
   /// ones. Throws InputError.
   void observe_every(double interval, std::function<void(const Simulation&)> use);
 
-  /// Ends `run` or `advance` within about a second. May be called from another thread or a signal handler.
+  /// Ends the present `run` or `advance`, or the next one, within about a second. An advance may be followed by
+  /// another. May be called from another thread or a signal handler.
   void interrupt();
 
   /// Writes the present state, its analysis and a checkpoint into a new run folder, from which the run can be analysed,

@@ -19,6 +19,7 @@ struct PlainText {
   std::string operator()(double value) const { return fmt::format("{}", value); }
   std::string operator()(const std::string& value) const { return value; }
   std::string operator()(const std::vector<double>& values) const { return fmt::format("{}", fmt::join(values, ",")); }
+  std::string operator()(const Toml& value) const { return value.text; }
 };
 
 }  // namespace

@@ -14,6 +14,19 @@ namespace repose {
 
 namespace {
 
+struct KindOfValue {
+  const char* operator()(const Parameters::Number&) const { return "number"; }
+  const char* operator()(const Parameters::OptionalNumber& number) const {
+    return number.without.word.empty() ? "number" : "number or word";
+  }
+  const char* operator()(const Parameters::Whole&) const { return "whole number"; }
+  const char* operator()(const Parameters::Flag&) const { return "true or false"; }
+  const char* operator()(const Parameters::Text&) const { return "text"; }
+  const char* operator()(const Parameters::Choice&) const { return "text"; }
+  const char* operator()(const Parameters::Vector&) const { return "vector"; }
+  const char* operator()(const Parameters::List&) const { return "list"; }
+};
+
 /// A value that a key is set to, as text.
 using Settings = std::map<std::string, std::string>;
 
@@ -43,7 +56,8 @@ class Listing final : public Parameters {
                       .unit = std::string(one.unit),
                       .allowed = one.bounds.range(),
                       .fallback = k == 0 ? fmt::format("{}", fallback) : "",
-                      .about = std::string(one.about)});
+                      .about = std::string(one.about),
+                      .kind = "number"});
       if (k > 0) branches.push_back({plain(one.name), given, ""});
     }
     value = 0.5;
@@ -73,7 +87,8 @@ class Listing final : public Parameters {
                  .unit = std::string(item.unit),
                  .allowed = allowed_text(item),
                  .fallback = default_text(item),
-                 .about = std::string(item.about)};
+                 .about = std::string(item.about),
+                 .kind = std::visit(KindOfValue{}, item.value)};
     text.required = !take_default(item) && text.fallback.empty();
     std::visit([&](const auto& kind) { look_at(item, kind, text); }, item.value);
     keys.push_back(std::move(text));

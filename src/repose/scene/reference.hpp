@@ -25,6 +25,7 @@ struct KeyText {
   std::string fallback;  ///< the default, as a value or a rule
   bool required = false;
   std::string about;
+  std::string kind{};  ///< of the value: number, number or word, whole number, true or false, text, vector, list
   std::vector<std::pair<std::string, std::string>> words{};  ///< what its words mean, of those that have a meaning
   std::vector<std::string> methods{};                        ///< that have it
   std::vector<KeyCondition> conditions{};                    ///< all must hold
