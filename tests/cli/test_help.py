@@ -19,6 +19,8 @@ QUICK = {
     "heap-cd.toml": '[method]\nkind = "contact-dynamics"\n' + HEAP.replace("time = 500", "time = 15"),
     "sweeps/spacing.toml": 'scene = "../heap.toml"\nseeds = 2\n[set]\nsource.count = 20\n[vary]\n'
     "base.spacing = [1.0, 1.1]\n",
+    "calibrations/angle.toml": 'scene = "../heap.toml"\nseeds = 2\n[[parameter]]\nkey = "contact.friction"\n'
+    'range = [0.1, 0.8]\n[[target]]\nmeasure = "coordination"\nvalue = 4.3\nerror = 1.0\n[design]\nstart = 4\nmost = 4\n',
 }
 
 
@@ -39,7 +41,8 @@ def names_in(lines):
     return [line.split()[0] for line in lines if not line.startswith(" ")]
 
 
-VERBS = ["scene", "check", "run", "resume", "sweep", "study", "analyse", "plot", "theory", "export", "solve", "reference"]
+VERBS = ["scene", "check", "run", "resume", "sweep", "calibrate", "study", "analyse", "plot", "theory", "export", "solve",
+         "reference"]
 
 
 def examples_of(*verb):
@@ -96,7 +99,7 @@ def test_all_examples_run_one_after_the_other(lab):
         result = subprocess.run(["bash", "-c", shell], cwd=lab.path, capture_output=True, text=True, timeout=LIMIT)
         assert result.returncode == 0, f"{command}: {result.stderr}"
     written = ["my-heap.toml", "heap/pictures/heap.png", "heap/pictures/theory.png", "heap/pictures/chains.png", "theory.png",
-               "rough/run.h5", "spacing/table.csv", "spacing/pictures/angle.png", "heap/export/vtk/grains.pvd",
+               "rough/run.h5", "angle/calibration.json", "spacing/table.csv", "spacing/pictures/angle.png", "heap/export/vtk/grains.pvd",
                "tables/grains.csv", "ife.csv", "ife.png"]
     missing = [name for name in written if not (lab.path / name).is_file()]
     assert not missing

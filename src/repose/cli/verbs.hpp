@@ -18,6 +18,7 @@ inline constexpr int exit_interrupted = 130;
   verb(run) \
   verb(resume) \
   verb(sweep) \
+  verb(calibrate) \
   verb(study) \
   verb(analyse) \
   verb(plot) \
