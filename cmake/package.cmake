@@ -25,5 +25,5 @@ if(REPOSE_PYTHON) # the compiled module is for one version of Python
     ", python3 (<< ${PYTHON_VERSION_MAJOR}.${next_minor}~)")
 endif()
 # A program that links the library needs these.
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libfmt-dev, libhdf5-dev, libxxhash-dev, zlib1g-dev, voro++-dev, coinor-libclp-dev")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libfmt-dev, libhdf5-dev, libxxhash-dev, zlib1g-dev, voro++-dev, coinor-libclp-dev, libudunits2-dev")
 include(CPack)

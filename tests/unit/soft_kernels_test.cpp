@@ -19,12 +19,12 @@ namespace repose {
 namespace {
 
 /// Sets the instruction set of kernels made from now on.
-class Chosen {
+class ChosenSet {
  public:
-  explicit Chosen(const std::string& set) { ::setenv("REPOSE_INSTRUCTION_SET", set.c_str(), 1); }
-  ~Chosen() { ::unsetenv("REPOSE_INSTRUCTION_SET"); }
-  Chosen(const Chosen&) = delete;
-  Chosen& operator=(const Chosen&) = delete;
+  explicit ChosenSet(const std::string& set) { ::setenv("REPOSE_INSTRUCTION_SET", set.c_str(), 1); }
+  ~ChosenSet() { ::unsetenv("REPOSE_INSTRUCTION_SET"); }
+  ChosenSet(const ChosenSet&) = delete;
+  ChosenSet& operator=(const ChosenSet&) = delete;
 };
 
 struct Case {
@@ -133,7 +133,7 @@ void compare(const Law& law, const Case& of) {
   for (const auto set :
        {InstructionSet::scalar, InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
     if (!has(set)) continue;
-    const Chosen chosen{std::string(name_of(set))};
+    const ChosenSet chosen{std::string(name_of(set))};
     const int threads = set == InstructionSet::baseline || set == InstructionSet::avx512 ? 3 : 1;
     const auto numbers = numbers_after(*make_kernel<D>(laws, settings_of<D>(of)), of, threads);
     EXPECT_EQ(numbers, expected) << name_of(set) << ", " << threads << " threads";
@@ -181,10 +181,10 @@ TEST(SoftKernels, KeepTheLawsOfMaterialsApart) {
 
 TEST(InstructionSets, AreNamedByTheEnvironment) {
   for (const auto set : {InstructionSet::scalar, InstructionSet::baseline}) {
-    const Chosen chosen{std::string(name_of(set))};
+    const ChosenSet chosen{std::string(name_of(set))};
     EXPECT_EQ(chosen_instruction_set(), set);
   }
-  const Chosen wrong("sse9");
+  const ChosenSet wrong("sse9");
   EXPECT_THROW(chosen_instruction_set(), InputError);
 }
 

@@ -65,9 +65,9 @@ void check_materials(const Scene& scene, Problems& problems) {
   check_material_names(scene.materials, problems);
   for (std::size_t k = 0; scene.has_moduli() && k < scene.materials.size(); ++k) {
     const auto require = [&](const char* name, const std::optional<double>& value) {
-      if (value) return;
-      problems.problem(fmt::format("material[{}].{}", k, name),
-                       ": missing: every material has young_modulus and poisson_ratio, or none has");
+      const auto key = fmt::format("material[{}].{}", k, name);
+      if (value || !problems.sound(key)) return;
+      problems.problem(key, ": missing: every material has young_modulus and poisson_ratio, or none has");
     };
     require("young_modulus", scene.materials[k].young_modulus);
     require("poisson_ratio", scene.materials[k].poisson_ratio);

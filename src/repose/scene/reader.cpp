@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/scene/reader.hpp"
 
+#include "repose/core/errors.hpp"
+#include "repose/scene/quantity.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -161,20 +164,44 @@ void Reader::show(const Item& item) {
   }
 }
 
+/// A number, or a quantity with a unit of an SI scene; NaN for what is neither. Nothing for a quantity that is wrong,
+/// which is then a problem.
+std::optional<double> Reader::number_of(const Item& item, const toml::node& node) {
+  const auto text = node.value<std::string>();
+  if (!node.is_string() || !begins_as_number(*text)) return number_in(node);
+  const auto wrong = [&](std::string_view what) {
+    problem(std::string(item.name), fmt::format(" = {}: {}", value_text(node), what));
+    return std::nullopt;
+  };
+  const auto* units = root_.get("units");
+  if (units == nullptr || units->value_or(std::string()) != "SI") {
+    return wrong("a quantity with a unit needs units = \"SI\"");
+  }
+  try {
+    return number_of_quantity(*text, item.unit);
+  } catch (const InputError& error) {
+    return wrong(error.what());
+  }
+}
+
 void Reader::read(const Item& item, const toml::node& node, const Number& number) {
-  if (!node.is_number()) return wrong_type(std::string(item.name), node, "a number");
-  const double value = number_in(node);
+  const auto found = number_of(item, node);
+  if (!found) return;
+  const double value = *found;
+  if (std::isnan(value) && !node.is_number()) return wrong_type(std::string(item.name), node, "a number");
   if (check_bounds(item, fmt::format(" = {}", value_text(node)), value, number.bounds)) number.value = value;
 }
 
 void Reader::read(const Item& item, const toml::node& node, const OptionalNumber& number) {
   const std::string word(number.without.word);
   if (!word.empty() && node.value<std::string>() == word) return;
-  if (!node.is_number()) {
+  const auto found = number_of(item, node);
+  if (!found) return;
+  if (std::isnan(*found) && !node.is_number()) {
     return wrong_type(std::string(item.name), node,
                       word.empty() ? "a number" : fmt::format("a number or \"{}\"", word));
   }
-  number.value = number_in(node);
+  number.value = *found;
   check_bounds(item, fmt::format(" = {}", value_text(node)), *number.value, number.bounds);
 }
 
@@ -220,7 +247,9 @@ void Reader::read(const Item& item, const toml::node& node, const Vector& vector
     return problem(key, fmt::format(" = {}: must be a list of two numbers, has {}", value_text(node), list->size()));
   }
   for (std::size_t k = 0; k < 2; ++k) {
-    const double component = number_in(*list->get(k));
+    const auto found = number_of(item, *list->get(k));
+    if (!found) return;
+    const double component = *found;
     if (!std::isfinite(component)) {
       return problem(key, fmt::format(" = {}: must be a list of two finite numbers", value_text(node)));
     }
@@ -235,7 +264,9 @@ void Reader::read(const Item& item, const toml::node& node, const List& list) {
     return wrong_type(key, node, "a list of numbers");
   }
   for (const auto& entry : *entries) {
-    const double number = number_in(entry);
+    const auto found = number_of(item, entry);
+    if (!found) return;
+    const double number = *found;
     if (!std::isfinite(number)) {
       return problem(key, fmt::format(" = {}: must be a list of finite numbers", value_text(node)));
     }

@@ -7,6 +7,7 @@
 #include "repose/scene/toml_file.hpp"
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -38,6 +39,7 @@ class Reader final : public Parameters, public Problems {
 
  private:
   void show(const Item& item) override;
+  std::optional<double> number_of(const Item& item, const toml::node& node);
   void read(const Item& item, const toml::node& node, const Number& number);
   void read(const Item& item, const toml::node& node, const OptionalNumber& number);
   void read(const Item& item, const toml::node& node, const Whole& whole);
