@@ -5,6 +5,7 @@
 import os
 import shutil
 import subprocess
+import sys
 from os import fspath
 from pathlib import Path
 
@@ -14,15 +15,23 @@ INPUT_TROUBLE = 2  # exit status
 
 
 def program():
-    """Path of the program: REPOSE_PROGRAM, that beside this package in a build folder or an installation, or that on the
-    PATH. RuntimeError without one."""
-    here = Path(__file__).parent.parent  # not resolved: a build folder has a link to the package
-    beside = [here.parent / "repose", here.parent.parent.parent / "bin/repose"]
+    """Path of the program: REPOSE_PROGRAM, that in this package as pip installs it, beside it in a build folder or an
+    installation, or on the PATH. RuntimeError without one."""
+    package = Path(__file__).parent  # not resolved: a build folder has a link to the package
+    here = package.parent
+    beside = [package / "bin/repose", here.parent / "repose", here.parent.parent.parent / "bin/repose"]
     found = os.environ.get("REPOSE_PROGRAM") or next((fspath(path) for path in beside if path.is_file()), None)
     found = found or shutil.which("repose")
     if found is None:
         raise RuntimeError("the program repose is not on the PATH: REPOSE_PROGRAM may name it")
     return found
+
+
+def main():
+    """Becomes the program, which draws with this Python and this package: the command `repose` that pip installs."""
+    package = fspath(Path(__file__).resolve().parent.parent)
+    own = {"REPOSE_PYTHON": sys.executable, "REPOSE_PYTHON_PATH": package}
+    os.execve(program(), ["repose", *sys.argv[1:]], own | dict(os.environ))
 
 
 def call(*words):
