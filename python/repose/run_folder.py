@@ -11,8 +11,9 @@ import numpy as np
 from repose.analysis import Analysis
 from repose.errors import RunFolderError
 from repose.hdf5 import Table, attributes_of, check_format, opened, values_of
+from repose.notebook import run_html
 from repose.summary import read_summary
-from repose.tables import run_html, to_pandas
+from repose.tables import to_pandas
 
 FORMAT_VERSION = 4
 FORCES = {"normal_force", "tangential_force", "history", "sliding"}

@@ -3,6 +3,8 @@
 """The examples in Python: they run, in a small form, and mypy accepts them and the package's types."""
 
 import os
+import re
+import shlex
 import subprocess
 import sys
 from pathlib import Path
@@ -45,3 +47,12 @@ def test_the_friction_for_an_angle_in_a_small_form(capsys):
     example.main()
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) == 3 and lines[0].startswith("friction 0.2: ") and "degrees at a friction of" in lines[2]
+
+
+def test_the_line_of_the_readme_prints_what_it_says(tmp_path):
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    (said,) = re.findall(r"command prints `([^`]+)`", text)
+    (line,) = re.findall(r"^python3 -c .*", text, re.MULTILINE)
+    result = subprocess.run([sys.executable, *shlex.split(line)[1:]], cwd=tmp_path, capture_output=True, text=True,
+                            check=False)
+    assert result.stdout == said + "\n", result.stderr
