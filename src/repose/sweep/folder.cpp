@@ -38,7 +38,7 @@ namespace {
 constexpr const char* own_files[] = {"sweep.toml",  "table.csv",    "members.csv",  "claims.csv",
                                      "claims.json", "sweep.h5",     "response.csv", "response.json",
                                      "heights.csv", "heights.json", "drops.csv",    "summary.json"};
-constexpr const char* own_folders[] = {"scenes", "members", "pictures", "leases"};
+constexpr const char* own_folders[] = {"scenes", "members", "pictures", "leases", "slurm"};
 
 /// The content of a file; "" if it cannot be read.
 std::string content_of(const fs::path& path) {
@@ -49,12 +49,13 @@ std::string content_of(const fs::path& path) {
   return text.str();
 }
 
-/// Whether a folder has no more than a sweep leaves that was stopped before its sweep.toml was complete.
+/// Whether a folder has no more than a sweep leaves that was stopped before its sweep.toml was complete, or a batch
+/// script that has not begun.
 bool has_just_begun(const std::string& path) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(path, error)) {
     const auto name = entry.path().filename().string();
-    if (name != "scenes" && name != "sweep.toml.tmp") return false;
+    if (name != "scenes" && name != "sweep.toml.tmp" && name != "slurm") return false;
   }
   return !error;
 }
