@@ -7,6 +7,7 @@
 #include "repose/contact_problem/contact_problem_groups.hpp"
 #include "repose/core/errors.hpp"
 #include "repose/results/reference.hpp"
+#include "repose/scene/material_library.hpp"
 #include "repose/scene/reference.hpp"
 #include "repose/sweep/groups.hpp"
 
@@ -31,6 +32,7 @@ constexpr Page pages[] = {
     {"summary", [] { return markdown_of(summary_reference()); }},
     {"analysis", [] { return markdown_of(analysis_reference()); }},
     {"contact-problem", [] { return markdown_of(contact_problem_reference()); }},
+    {"materials", [] { return markdown_of(material_library_reference()); }},
     {"sweep", [] { return markdown_of(sweep_reference()); }},
 };
 

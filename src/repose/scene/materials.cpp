@@ -3,6 +3,7 @@
 #include "repose/scene/materials.hpp"
 
 #include "repose/scene/keys.hpp"
+#include "repose/scene/material_library.hpp"
 #include "repose/scene/scene.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +24,8 @@ void check_material_names(const std::vector<Material>& materials, Problems& prob
   for (std::size_t k = 0; k < materials.size(); ++k) {
     const auto key = fmt::format("material[{}].name", k);
     const auto& name = materials[k].name;
-    if (name.empty() && problems.sound(key)) problems.problem(key, ": missing: a material needs a name");
+    const bool known = problems.sound(fmt::format("material[{}].library", k));
+    if (name.empty() && known && problems.sound(key)) problems.problem(key, ": missing: a material needs a name");
     if (!name.empty() && !names.insert(name).second)
       problems.problem(key, fmt::format(" = \"{}\": is used twice", name));
   }
@@ -37,27 +39,61 @@ bool by_density(const Scene& scene) {
          scene.materials.front().density > 0.0;
 }
 
+/// A number that the library gives where the scene does not.
+void number_of_library(const char* name, std::optional<double>& value, const MeasuredNumber& known,
+                       const Bounds& bounds, std::string_view unit, std::string_view about, Parameters& entry) {
+  double number = value.value_or(known.value);
+  entry.number(name, number, {known.value, "of the library"}, bounds, unit, about);
+  value = number;
+}
+
+void density_key(Material& material, const LibraryMaterial* known, bool si, Parameters& entry) {
+  if (!si) {
+    entry.number("density", material.density, 1.0, positive, "",
+                 "relative to that of a grain of grains.mass and grains.diameter");
+    return;
+  }
+  constexpr auto about = "instead of grains.mass: a grain of diameter d has the mass of a sphere, density pi d^3/6";
+  auto density = has_density(material) ? material.density : std::optional<double>();
+  if (known != nullptr) {
+    number_of_library("density", density, known->density, positive, "M/L^3", about, entry);
+  } else {
+    entry.optional_number("density", density, {"", "that of grains.mass"}, positive, "M/L^3", about);
+  }
+  material.density = density.value_or(unset);
+}
+
+void moduli_keys(Material& material, const LibraryMaterial* known, Parameters& entry) {
+  constexpr auto about_young = "E: hertz takes its stiffness from it";
+  constexpr auto about_poisson = "nu, with young_modulus";
+  constexpr Bounds ratios{.low = -1.0, .high = 0.5, .low_allowed = false};
+  if (known != nullptr) {
+    number_of_library("young_modulus", material.young_modulus, known->young_modulus, positive, "M/(L T^2)", about_young,
+                      entry);
+    number_of_library("poisson_ratio", material.poisson_ratio, known->poisson_ratio, ratios, "", about_poisson, entry);
+    return;
+  }
+  entry.optional_number("young_modulus", material.young_modulus, {"", "none: by the stiffness of the law"}, positive,
+                        "M/(L T^2)", about_young);
+  entry.optional_number("poisson_ratio", material.poisson_ratio, {"", "none"}, ratios, "", about_poisson);
+}
+
 }  // namespace
 
 void material_keys(Scene& scene, Parameters& keys) {
   const bool si = scene.units == "SI";
   const bool moduli = scene.method->traits().force_laws;
+  static const auto library = library_words();
   table_keys(keys, "material", scene.materials, [&](Parameters& entry, Material& material, std::size_t) {
-    entry.text("name", material.name, "", "name of the material; the first one is the default everywhere");
     if (si) {
-      auto density = has_density(material) ? material.density : std::optional<double>();
-      entry.optional_number("density", density, {"", "that of grains.mass"}, positive, "M/L^3",
-                            "instead of grains.mass: a grain of diameter d has the mass of a sphere, density pi d^3/6");
-      material.density = density.value_or(unset);
-    } else {
-      entry.number("density", material.density, 1.0, positive, "",
-                   "relative to that of a grain of grains.mass and grains.diameter");
+      entry.choice("library", material.library, "none", library,
+                   "takes what is left out below from that material: docs/reference/materials.md");
     }
-    if (!moduli) return;
-    entry.optional_number("young_modulus", material.young_modulus, {"", "none: by the stiffness of the law"}, positive,
-                          "M/(L T^2)", "E: hertz takes its stiffness from it");
-    entry.optional_number("poisson_ratio", material.poisson_ratio, {"", "none"},
-                          {.low = -1.0, .high = 0.5, .low_allowed = false}, "", "nu, with young_modulus");
+    const auto* known = si ? library_material(material.library) : nullptr;
+    entry.text("name", material.name, {known != nullptr ? known->name : "", "\"\"; that of the library"},
+               "name of the material; the first one is the default everywhere");
+    density_key(material, known, si, entry);
+    if (moduli) moduli_keys(material, known, entry);
   });
 }
 
@@ -76,6 +112,9 @@ void check_materials(const Scene& scene, Problems& problems) {
 
 void check_masses(const Scene& scene, Problems& problems) {
   if (scene.units != "SI" || !problems.sound("grains.mass")) return;
+  for (std::size_t k = 0; k < scene.materials.size(); ++k) {
+    if (!problems.sound(fmt::format("material[{}].library", k))) return;
+  }
   const bool any = std::any_of(scene.materials.begin(), scene.materials.end(), has_density);
   if (!std::isnan(scene.grains.mass)) {
     if (!any) return;

@@ -18,6 +18,7 @@ struct Material {
   double density = unset;
   std::optional<double> young_modulus = std::nullopt;  ///< E [M/(L T^2)]
   std::optional<double> poisson_ratio = std::nullopt;  ///< nu
+  std::string library = "none";  ///< material_library.hpp: gives what the scene leaves out; in SI alone
 };
 
 /// [[material]].
