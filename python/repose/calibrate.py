@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Calibrates a scene: `python3 -m repose.calibrate PROGRAM FILE DIR [--threads N] [--overwrite] [--check] [--quiet]`,
-called by `repose calibrate`."""
+"""Calibrates a scene: `python3 -m repose.calibrate PROGRAM FILE DIR [--threads N] [--share I/N --lease S] [--overwrite]
+[--check] [--quiet]`, called by `repose calibrate`."""
 
 import argparse
 import signal
@@ -21,9 +21,16 @@ def options_of(arguments):
     parser.add_argument("file")
     parser.add_argument("folder")
     parser.add_argument("--threads", type=int)
+    parser.add_argument("--share", dest="part")
+    parser.add_argument("--lease", default="60")
     for name in ("--overwrite", "--check", "--quiet"):
         parser.add_argument(name, action="store_true")
     return parser.parse_args(arguments)
+
+
+def part_of(options):
+    """The options of the sweeps of a calibration that several programs share; none where one has it alone."""
+    return ["--share", options.part, "--lease", options.lease] if options.part else []
 
 
 def progress(plan, tell):
@@ -70,25 +77,27 @@ def calibrate(options):
     from repose.calibration.file_reader import read_plan
 
     plan = read_plan(options.file)
-    from repose.calibration.folder import folder_problem, open_folder
+    from repose.calibration.folder import folder_problem, one_at_a_time, open_folder
 
     problem = folder_problem(plan, options.folder, options.overwrite)
     if problem:
         raise CalibrationError([problem])
     from repose.calibration import design, sweep_rounds
 
-    listing = sweep_rounds.check(plan, design.first_points(plan), options.program)
+    part = part_of(options)
+    listing = sweep_rounds.check(plan, design.first_points(plan), options.program, part)
     if options.check:
         say(describe(plan, listing))
         return 0
     from repose.calibration import loop, results
 
     tell = (lambda text: None) if options.quiet else say
-    open_folder(plan, options.folder, options.overwrite)  # stays locked until the program ends
-    rounds = sweep_rounds.SweepRounds(plan, options.folder, options.program, options.threads, tell)
+    open_folder(plan, options.folder, options.overwrite, bool(part))  # stays locked until the program ends
+    rounds = sweep_rounds.SweepRounds(plan, options.folder, options.program, options.threads, tell, part)
     found = loop.calibrate(plan, rounds, progress(plan, tell))
-    content = results.write_results(options.folder, plan, *found)
-    pictures = draw(plan, options.folder, *found[:2])
+    with one_at_a_time(options.folder):
+        content = results.write_results(options.folder, plan, *found)
+        pictures = draw(plan, options.folder, *found[:2])
     tell(results.summary_text(content))
     for path in pictures:
         tell(path)
@@ -126,7 +135,8 @@ def interrupt(*_):
 
 def main(arguments=None):
     """The exit status that the program wants: 0, 1 after trouble in a run, 2 after bad input, 130 after a signal."""
-    signal.signal(signal.SIGTERM, interrupt)
+    for number in (signal.SIGTERM, signal.SIGUSR1):
+        signal.signal(number, interrupt)
     try:
         return run(options_of(arguments))
     except KeyboardInterrupt:

@@ -162,7 +162,7 @@ def save(figure, path, kind, dpi, title):
         path.write_bytes(picture)
         return
     path = Path(os.path.realpath(path))
-    temporary = path.with_name(f".{path.name}.{os.getpid()}")
+    temporary = path.with_name(f".{path.name}.{os.uname().nodename}.{os.getpid()}")
     try:
         temporary.write_bytes(picture)
         os.replace(temporary, path)

@@ -20,4 +20,4 @@ class CheapRounds:
         self.rounds.append(values)
         exact = self.model(values)
         scatter = self.noise * self.random.standard_normal((len(values), self.plan.seeds, exact.shape[1]))
-        return exact[:, None, :] + scatter, np.zeros(len(values), dtype=int)
+        return values, exact[:, None, :] + scatter, np.zeros(len(values), dtype=int)

@@ -78,15 +78,15 @@ def calibrate(plan, rounds, report=lambda *_: None, options=Options()):
     """Measures rounds of points until each surrogate's deviation is below `stop` errors of its target, or there are
     `most` points. Returns (Measured, Fit, stopped), where stopped is "certain" or "most".
 
-    `rounds.planned(number)` gives the values (n, d) of a round that an earlier run has begun, or None;
-    `rounds.run(number, values)` measures it: results (n, S, T) and the number of failed members (n). `report` hears of
-    every fit. A run that continues an earlier one makes the same points."""
+    `rounds.planned(number)` gives the values (n, d) of a round that this or another program has begun, or None;
+    `rounds.run(number, values)` measures it: the values as planned, results (n, S, T) and the number of failed members
+    (n). `report` hears of every fit. A run that continues an earlier one makes the same points."""
     measured = Measured.none(plan)
     number, values = 1, rounds.planned(1)
     if values is None:
         values = first_points(plan)
     while True:
-        measured = measured.with_round(number, values, *rounds.run(number, values))
+        measured = measured.with_round(number, *rounds.run(number, values))
         number += 1
         values = rounds.planned(number)
         if values is not None:

@@ -50,11 +50,31 @@ def _value(table, key):
     return float(table)
 
 
+def _written(path, text):
+    """A file beside `path` with this text, under a name that no other program has on any machine."""
+    temporary = path.with_name(f".{path.name}.{os.uname().nodename}.{os.getpid()}")
+    temporary.write_text(text, encoding="utf-8")
+    return temporary
+
+
 def write_text(path, text):
     """Writes a file under another name and renames it: no file is ever incomplete."""
-    temporary = path.with_name(f".{path.name}.{os.getpid()}")
-    temporary.write_text(text, encoding="utf-8")
-    os.replace(temporary, path)
+    os.replace(_written(path, text), path)
+
+
+def write_first(path, text):
+    """Writes a file unless it exists; of several programs that do so, one does. No file is ever incomplete."""
+    if path.is_file():
+        return
+    temporary = _written(path, text)
+    try:
+        os.link(temporary, path)
+    except FileExistsError:
+        pass
+    except OSError:
+        os.replace(temporary, path)  # a file system without hard links
+    finally:
+        temporary.unlink(missing_ok=True)
 
 
 def _end_with_parent():
@@ -65,10 +85,11 @@ def _end_with_parent():
 class SweepRounds:
     """Rounds of a calibration in its folder."""
 
-    def __init__(self, plan, folder, program, threads, report):
-        """`threads` members run side by side (None: the program decides); `report` takes lines of progress."""
+    def __init__(self, plan, folder, program, threads, report, part=()):
+        """`threads` members run side by side (None: the program decides); `report` takes lines of progress; `part` holds
+        the options of a sweep that several programs share."""
         self.plan, self.folder = plan, Path(folder, "rounds")
-        self.program, self.threads, self.report = program, threads, report
+        self.program, self.threads, self.report, self.part = program, threads, report, part
         self.points = 0  # of the rounds so far
 
     def planned(self, number):
@@ -82,19 +103,22 @@ class SweepRounds:
             raise CalibrationError([f"{path}: is damaged: {one_line(error)}"]) from error
 
     def run(self, number, values):
-        """Measures the values (n, d) of a round: results (n, S, T) and numbers of failed members (n). Members that have
-        ended are not run again. SweepStopped where the sweep does not end well."""
+        """Measures the values (n, d) of a round: the values, results (n, S, T) and numbers of failed members (n). The
+        values are those of another program where that was the first to begin the round. Members that have ended are not
+        run again. SweepStopped where the sweep does not end well."""
         path, out = self.folder / f"{number:02}.toml", self.folder / f"{number:02}"
         seeds = [self.plan.seeds * (number - 1) + k for k in range(1, self.plan.seeds + 1)]
         self.folder.mkdir(parents=True, exist_ok=True)
-        write_text(path, sweep_text(self.plan, values, self.points + 1, seeds))
+        # All parts run the round of the first, even where arithmetic differs from machine to machine.
+        write_first(path, sweep_text(self.plan, values, self.points + 1, seeds))
+        values = self.planned(number)
         self.points += len(values)
         self.report(f"round {number}: {len(values)} points, {len(values) * len(seeds)} members")
         words = [] if self.threads is None else ["--threads", str(self.threads)]
-        status = call([self.program, "sweep", path, "--out", out, "--quiet", *words])
+        status = call([self.program, "sweep", path, "--out", out, "--quiet", *words, *self.part])
         if status not in (0, RUN_TROUBLE):
             raise SweepStopped(status)
-        return self._results(out, len(values), len(seeds))
+        return values, *self._results(out, len(values), len(seeds))
 
     def _results(self, folder, points, members):
         sweep = SweepFolder(folder)
@@ -131,20 +155,20 @@ def call(words):
         return INTERRUPTED
 
 
-def check(plan, values, program):
+def check(plan, values, program, part=()):
     """Lines that describe the first round. CalibrationError with the program's problems of the scene at these values
-    and at both ends of all ranges."""
+    and at both ends of all ranges, and of the options of a part."""
     ends = np.array([[getattr(p, end) for p in plan.parameters] for end in ("low", "high")])
     names = ["low", "high", *(point_name(k + 1) for k in range(len(values)))]
-    _checked(plan, np.vstack([ends, values]), names, program)
-    return _checked(plan, values, None, program)
+    _checked(plan, np.vstack([ends, values]), names, program, part)
+    return _checked(plan, values, None, program, part)
 
 
-def _checked(plan, values, names, program):
+def _checked(plan, values, names, program, part):
     with tempfile.TemporaryDirectory(prefix="repose-calibrate-") as folder:
         path = Path(folder, "round.toml")
         path.write_text(sweep_text(plan, values, names=names), encoding="utf-8")
-        words = [program, "sweep", path, "--out", Path(folder, "out"), "--check"]
+        words = [program, "sweep", path, "--out", Path(folder, "out"), "--check", *part]
         result = subprocess.run(list(map(str, words)), capture_output=True, text=True, errors="replace")
         if result.returncode != 0:
             raise CalibrationError(_problems(plan, result.stderr, str(path)))

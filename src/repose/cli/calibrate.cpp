@@ -22,6 +22,8 @@ struct CalibrateOptions {
   std::string file;
   std::string out;
   int processes = 0;
+  std::string part;     // I/N
+  double lease = 60.0;  // [s]
   bool overwrite = false;
   bool dry = false;
   bool quiet = false;
@@ -36,9 +38,15 @@ std::string own_path() {
 }
 
 int act(const CalibrateOptions& options) {
+  if (!options.part.empty() && options.overwrite) {
+    throw InputError("--overwrite: one of several that share a calibration cannot remove it");
+  }
   const auto folder = options.out.empty() ? fs::path(options.file).stem().string() : options.out;
   std::vector<std::string> words = {own_path(), options.file, folder};
   if (options.processes > 0) words.insert(words.end(), {"--threads", fmt::format("{}", options.processes)});
+  if (!options.part.empty()) {
+    words.insert(words.end(), {"--share", options.part, "--lease", fmt::format("{}", options.lease)});
+  }
   if (options.overwrite) words.emplace_back("--overwrite");
   if (options.dry) words.emplace_back("--check");
   if (options.quiet) words.emplace_back("--quiet");
@@ -66,6 +74,16 @@ Verb calibrate_verb() {
                          .completes = Completion::folders},
                         threads_argument(options->processes,
                                          "Members that run side by side, at most one per core (default)"),
+                        {.name = "--share",
+                         .value = "I/N",
+                         .about = "Be part I of N programs that share the calibration, here or on other machines",
+                         .target = &options->part},
+                        {.name = "--lease",
+                         .value = "SECONDS",
+                         .about = "With --share: a program that has not stirred for so long is dead; its members are "
+                                  "taken over (60)",
+                         .target = &options->lease,
+                         .bound = {.least = 1, .most = 86400}},
                         overwrite_argument(options->overwrite, "Remove a calibration that the folder already holds"),
                         {.name = "--check",
                          .about = "Check the calibration and describe its first points, without running",
@@ -73,7 +91,9 @@ Verb calibrate_verb() {
                         quiet_argument(options->quiet)},
           .examples = {{"repose calibrate examples/calibrations/angle.toml --check", "Say what would run first"},
                        {"repose calibrate examples/calibrations/angle.toml --out angle",
-                        "Find the frictions that give an angle of repose; repeat the command to continue"}},
+                        "Find the frictions that give an angle of repose; repeat the command to continue"},
+                       {"repose calibrate examples/calibrations/angle.toml --out angle --share 1/2",
+                        "The same as one of two programs, here or on two machines"}},
           .act = [options] { return act(*options); }};
 }
 
