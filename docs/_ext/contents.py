@@ -9,7 +9,7 @@ A link to a Markdown file outside of docs, which is no page of the site, offers 
 import re
 from pathlib import Path
 
-PAGE = re.compile(r"\]\(([\w./-]+)\.md\)")
+PAGE = re.compile(r"\]\(([\w./-]+)\.(?:md|ipynb)\)")
 SECTION = re.compile(r"^## (.+)$", re.MULTILINE)
 LINK_OUT = re.compile(r"\[([^]`]+)\]\((\.\./[^)#\s]+\.md)\)")
 

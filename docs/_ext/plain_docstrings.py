@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Docstrings are plain text: their indented blocks are code, and types lead to the page that documents them."""
 
+import re
 from types import ModuleType
 
 from sphinx.util import logging
@@ -29,11 +30,16 @@ def with_code(lines):
     return made
 
 
+def with_shapes(lines):
+    """The lines of a docstring, in which a shape at the start, as in "(N) ids", is no item of a list."""
+    return [re.sub(r"^\((\w)\) ", r"\\(\1) ", line) for line in lines]
+
+
 def process(_, kind, __, documented, ___, lines):
     """Autodoc calls this with the lines of each docstring, without the indentation that all of them have."""
     if kind == "module" and documented.__doc__:
         lines[:] = documented.__doc__.splitlines() + [""]
-    lines[:] = with_code(lines)
+    lines[:] = with_code(with_shapes(lines))
 
 
 def find_public_name(app, _, node, text):

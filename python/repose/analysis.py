@@ -33,7 +33,7 @@ GROUPS = {
 class Packing(Table):
     """The group of a packing: its own Table, and a Table by name for each of its parts."""
 
-    parts: "dict[str, Table]"
+    parts: "dict[str, Table]"  #: by name
 
     def __init__(self, group):
         super().__init__(group, "id neighbours connectivity connectivity_error")
@@ -43,8 +43,8 @@ class Packing(Table):
 class Analysis(dict):
     """The analysis of the last state of a run: a Table by name of its group, None for an absent group."""
 
-    attributes: dict  # of analysis.h5: repose_version, time [T] of the state
-    packing: "Packing | None"
+    attributes: dict  #: of analysis.h5: repose_version, time [T] of the state
+    packing: "Packing | None"  #: of what /packing holds; None without
 
     def __init__(self, path):
         with opened(path) as file:

@@ -24,15 +24,15 @@ NEEDED = set("title units dimension time status grain_diameter grain_weight peri
 class Grains:
     """Grains in order of their stable id: N grains in D dimensions."""
 
-    id: np.ndarray  # (N) int64, ascending, with gaps where grains were lost
-    position: np.ndarray  # (N, D) [L]
-    velocity: np.ndarray  # (N, D) [L/T], half a step before the stated time
-    spin: np.ndarray  # (N) in 2D, (N, 3) in 3D [1/T], counter-clockwise
-    radius: np.ndarray  # (N) [L]
-    mass: np.ndarray  # (N) [M]
-    fixed: np.ndarray  # (N) bool: neither moves nor turns
-    base: np.ndarray  # (N) bool: belongs to the base
-    material: np.ndarray  # (N) uint16
+    id: np.ndarray  #: (N) int64, ascending, with gaps where grains were lost
+    position: np.ndarray  #: (N, D) [L]
+    velocity: np.ndarray  #: (N, D) [L/T], half a step before the stated time
+    spin: np.ndarray  #: (N) in 2D, (N, 3) in 3D [1/T], counter-clockwise
+    radius: np.ndarray  #: (N) [L]
+    mass: np.ndarray  #: (N) [M]
+    fixed: np.ndarray  #: (N) bool: neither moves nor turns
+    base: np.ndarray  #: (N) bool: belongs to the base
+    material: np.ndarray  #: (N) uint16
 
     def __len__(self):
         return len(self.id)
@@ -51,13 +51,13 @@ class Grains:
 class Contacts:
     """Pairs within the range of the normal law: M contacts in D dimensions; forces act on the first grain."""
 
-    grains: np.ndarray  # (M, 2) int64 ids; second = -1 - k means wall k
-    normal: np.ndarray  # (M, D) unit vector from the second to the first
-    overlap: np.ndarray  # (M) [L], negative in the tail of the continuous law
-    normal_force: np.ndarray  # (M) [M L/T^2], positive pushes apart
-    tangential_force: np.ndarray  # (M) in 2D, (M, 3) in 3D [M L/T^2], along the normal turned by +90 degrees
-    history: np.ndarray  # (M) in 2D, (M, 3) in 3D [L], slip displacement
-    sliding: np.ndarray  # (M) bool: at the Coulomb limit
+    grains: np.ndarray  #: (M, 2) int64 ids; second = -1 - k means wall k
+    normal: np.ndarray  #: (M, D) unit vector from the second to the first
+    overlap: np.ndarray  #: (M) [L], negative in the tail of the continuous law
+    normal_force: np.ndarray  #: (M) [M L/T^2], positive pushes apart
+    tangential_force: np.ndarray  #: (M) in 2D, (M, 3) in 3D [M L/T^2], along the normal turned by +90 degrees
+    history: np.ndarray  #: (M) in 2D, (M, 3) in 3D [L], slip displacement
+    sliding: np.ndarray  #: (M) bool: at the Coulomb limit
 
     def __len__(self):
         return len(self.overlap)
@@ -72,12 +72,12 @@ class Contacts:
 class State:
     """Grains and contacts at one time."""
 
-    time: float  # [T]
-    steps: int
-    grains: Grains
-    contacts: Contacts
-    frame: "str | None" = None  # name of the saved frame; None: the last state of the run
-    axes: "object | None" = None  # of its pictures (CommonAxes), as of those of other states; None: its own
+    time: float  #: [T]
+    steps: int  #: steps or events since the start
+    grains: Grains  #: moving and fixed ones
+    contacts: Contacts  #: pairs within the range of the normal law
+    frame: "str | None" = None  #: name of the saved frame; None: the last state of the run
+    axes: "object | None" = None  #: of its pictures (CommonAxes), as of those of other states; None: its own
 
     def rows(self, ids):
         """Rows of the grains with these ids (any shape); RunFolderError for an id without a grain."""
@@ -91,17 +91,17 @@ class State:
 class RunFolder:
     """The results of a run, read once when opened: later changes of the folder have no effect."""
 
-    path: Path
-    attributes: dict  # of run.h5: title, units, time [T], grain_diameter [L], grain_weight [M L/T^2], periodic ...
-    scene: dict  # tables and keys of the scene, complete; empty without
-    state: State  # last state
-    series: Table  # columns of /series, one row per observation; empty without
-    base: "Table | None"  # forces on the base in grain weights; None without a row of base grains
-    walls: "Table | None"  # name, point at the start and position now (W, D) [L], normal (W, D), half_length [L], open
-    energy: "Table | None"  # columns of /energy [M L^2/T^2]; None without an energy budget
-    analysis: "Analysis | None"  # Tables of analysis.h5; None without an analysis of the last state
-    frames: "list[str]"  # names of the saved frames
-    summary: dict  # summary.json; empty without
+    path: Path  #: the folder
+    attributes: dict  #: of run.h5: title, units, time [T], grain_diameter [L], grain_weight [M L/T^2], periodic ...
+    scene: dict  #: tables and keys of the scene, complete; empty without
+    state: State  #: last state
+    series: Table  #: columns of /series, one row per observation; empty without
+    base: "Table | None"  #: forces on the base in grain weights; None without a row of base grains
+    walls: "Table | None"  #: name, point at the start and position now (W, D) [L], normal (W, D), half_length [L], open
+    energy: "Table | None"  #: columns of /energy [M L^2/T^2]; None without an energy budget
+    analysis: "Analysis | None"  #: Tables of analysis.h5; None without an analysis of the last state
+    frames: "list[str]"  #: names of the saved frames
+    summary: dict  #: summary.json; empty without
 
     def __init__(self, path):
         self.path = Path(path)

@@ -22,6 +22,8 @@ COLUMN = "depth pressure pressure_error stress stress_error"
 class Profile(Table):
     """Mean base profile of a point, by base grain: x [L], forces [grain weights]; and a Table of it in bins."""
 
+    binned: Table  #: the same columns, in bins of several base grains
+
     def __init__(self, group):
         super().__init__(group, COLUMNS)
         self.binned = Table(group["binned"], COLUMNS)
@@ -30,19 +32,19 @@ class Profile(Table):
 class SweepFolder:
     """The results of a sweep, read once when opened: P points, K members."""
 
-    path: Path
-    attributes: dict  # of sweep.h5: title, units, repose_version
-    points: "list[str]"  # (P) names
-    finished: np.ndarray  # (P) finished members
-    parameters: "dict[str, np.ndarray]"  # (P) by key that varies; NaN where not a number or not set
-    parameter_text: "dict[str, list[str]]"  # (P) the same as text, "" where not set
-    measures: "dict[str, Table]"  # mean, error, deviation, count; newer also missing, low, high, bias: each (P)
-    key_comments: dict  # KeyComment by key that varies, as far as scenes of members are there
-    members: Table  # point, seed, status: each (K)
-    values: "dict[str, np.ndarray]"  # measures by member (K)
-    profiles: "list[Profile | None]"  # (P)
-    columns: "list[Table | None]"  # (P) mean column between two walls, by slice: depth [L], pressure and stress [M/T^2] ...
-    summary: dict  # summary.json: comparisons of theory with the profiles; empty without
+    path: Path  #: the folder
+    attributes: dict  #: of sweep.h5: title, units, repose_version
+    points: "list[str]"  #: (P) names
+    finished: np.ndarray  #: (P) finished members
+    parameters: "dict[str, np.ndarray]"  #: (P) by key that varies; NaN where not a number or not set
+    parameter_text: "dict[str, list[str]]"  #: (P) the same as text, "" where not set
+    measures: "dict[str, Table]"  #: mean, error, deviation, count; newer also missing, low, high, bias: each (P)
+    key_comments: dict  #: KeyComment by key that varies, as far as scenes of members are there
+    members: Table  #: point, seed, status: each (K)
+    values: "dict[str, np.ndarray]"  #: measures by member (K)
+    profiles: "list[Profile | None]"  #: (P)
+    columns: "list[Table | None]"  #: (P) mean column between two walls, by slice: depth [L], pressure and stress [M/T^2] ...
+    summary: dict  #: summary.json: comparisons of theory with the profiles; empty without
 
     def __init__(self, path):
         self.path = Path(path)

@@ -21,21 +21,21 @@ InputError = repose_compiled.InputError  # a ValueError with one line for every 
 class Parameter:
     """A parameter of a model, as text."""
 
-    name: str
-    value: str  # its value or default; "" where it must be given
-    unit: str
-    allowed: str
-    about: str
+    name: str  #: as in `predict(model, name=value)`
+    value: str  #: its value or default; "" where it must be given
+    unit: str  #: "" for a pure number or a word
+    allowed: str  #: bounds or words
+    about: str  #: its meaning
 
 
 @dataclass(frozen=True)
 class Model:
     """A model: name, description, source and parameters."""
 
-    name: str
-    about: str
-    source: str
-    parameters: tuple
+    name: str  #: as in `predict(name)`
+    about: str  #: what it predicts
+    source: str  #: publication and equations
+    parameters: tuple  #: of Parameter
 
     @property
     def settings(self):
@@ -51,10 +51,10 @@ class Model:
 class Quantity:
     """A column (an array or a list of words) or a single number of a prediction."""
 
-    name: str
-    unit: str
-    about: str
-    value: object
+    name: str  #: as in `prediction[name]`
+    unit: str  #: "1" for a pure number
+    about: str  #: its meaning
+    value: object  #: array (n,), list of words, or number
 
 
 class Prediction:
