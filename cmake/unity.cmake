@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 option(REPOSE_UNITY "Compile some files of a folder together, which parses headers once for all of them" ON)
 
-# Files whose helpers have the same names as those of a neighbour, files that an example of docs/how-to replaces, and the
-# test with Eigen, whose headers are at odds with those of Random123 in one file.
+# Files whose helpers have the same names as those of a neighbour, files that an example of docs/how-to replaces, the page
+# of the view and its server, and the test with Eigen, whose headers are at odds with those of Random123 in one file.
 set(compiled_alone
   src/repose/core/reproducible_powers src/repose/methods/soft/general_kernel
   src/repose/methods/soft/rows/rows_scalar src/repose/methods/soft/rows/rows_baseline
   src/repose/results/subjects src/repose/scene/toml_file
+  src/repose/cli/view_server src/repose/view/page
   tests/unit/chains_test tests/unit/contact_dynamics_walls_test tests/unit/contact_packs_test tests/unit/fabric_test
   tests/unit/motion_test tests/unit/reproducible_math_test tests/unit/simulation_test tests/unit/sources_test
   tests/unit/stability_test tests/unit/structure_factor_test tests/unit/voronoi_test)

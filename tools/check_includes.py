@@ -38,7 +38,8 @@ BELOW["sweep"] = BELOW["run_folder"] | {"run_folder"}
 BELOW["comparison"] = BELOW["sweep"] | {"sweep"}
 BELOW["study"] = BELOW["comparison"] | {"comparison"}
 BELOW["api"] = BELOW["study"] | {"study"}
-BELOW["cli"] = BELOW["api"] | {"api"}
+BELOW["view"] = BELOW["comparison"] | {"comparison"}
+BELOW["cli"] = BELOW["api"] | {"api", "view"}
 
 # Headers that a layer must not see, directly or through others: laws never see the grains, theory sees core's math
 # alone.

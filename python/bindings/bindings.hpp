@@ -10,3 +10,4 @@ namespace py = pybind11;
 void bind_theory(py::module_& module);
 void bind_scene(py::module_& module);
 void bind_simulation(py::module_& module);
+void bind_view(py::module_& module);

@@ -15,7 +15,7 @@ EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 
 # Quick scenes under the names that the examples use.
 QUICK = {
-    "heap.toml": HEAP,
+    "heap.toml": HEAP + "[output]\nframes = 40\n",
     "heap-cd.toml": '[method]\nkind = "contact-dynamics"\n' + HEAP.replace("time = 500", "time = 15"),
     "sweeps/spacing.toml": 'scene = "../heap.toml"\nseeds = 2\n[set]\nsource.count = 20\n[vary]\n'
     "base.spacing = [1.0, 1.1]\n",
@@ -41,7 +41,7 @@ def names_in(lines):
     return [line.split()[0] for line in lines if not line.startswith(" ")]
 
 
-VERBS = ["scene", "check", "run", "resume", "sweep", "calibrate", "study", "analyse", "plot", "theory", "export", "solve",
+VERBS = ["scene", "check", "run", "resume", "sweep", "calibrate", "study", "analyse", "plot", "view", "theory", "export", "solve",
          "reference"]
 
 
@@ -95,11 +95,12 @@ def test_all_examples_run_one_after_the_other(lab):
         words = shlex.split(command)
         if words[1] == "plot" and "--only" not in words:  # one picture stands for all
             command += " --only " + ("theory" if "--theory" in words else "angle" if words[2] == "spacing" else "heap")
-        shell = f'repose() {{ {shlex.quote(PROGRAM)} "$@"; }}\n{command}'
+        prefix = "timeout --preserve-status --signal INT 2 " if words[1] == "view" else ""  # which does not end by itself
+        shell = f'repose() {{ {prefix}{shlex.quote(PROGRAM)} "$@"; }}\n{command}'
         result = subprocess.run(["bash", "-c", shell], cwd=lab.path, capture_output=True, text=True, timeout=LIMIT)
         assert result.returncode == 0, f"{command}: {result.stderr}"
     written = ["my-heap.toml", "heap/pictures/heap.png", "heap/pictures/theory.png", "heap/pictures/chains.png", "theory.png",
-               "rough/run.h5", "angle/calibration.json", "spacing/table.csv", "spacing/pictures/angle.png", "heap/export/vtk/grains.pvd",
+               "rough/run.h5", "angle/calibration.json", "spacing/table.csv", "cluster/slurm/batch.sh", "spacing/pictures/angle.png", "heap/export/vtk/grains.pvd", "heap/export/html/run.html", "heap/export/movie/heap.mp4",
                "tables/grains.csv", "ife.csv", "ife.png"]
     missing = [name for name in written if not (lab.path / name).is_file()]
     assert not missing
@@ -142,7 +143,7 @@ def test_bash_completes_verbs_options_and_words():
     assert completions("the") == {"theory"}
     for verb in VERBS:
         assert completions(verb, "--") == set(options_of(verb))
-    assert completions("export", "heap", "--to", "") == {"vtk", "ovito", "csv", "contact-problem"}
+    assert completions("export", "heap", "--to", "") == {"vtk", "ovito", "csv", "html", "movie", "contact-problem"}
     assert completions("theory", "pile-") == {"pile-continuum", "pile-lattice", "pile-tent"}
     assert completions("--completion", "") == {"bash", "zsh"}
     assert completions("run", "heap.toml", "--seed", "") == set()
@@ -173,7 +174,7 @@ def test_zsh_completion_has_every_verb_and_option():
     (["run", "x.toml", "--seed", "1.5"], '--seed: must be a whole number, is "1.5"'),
     (["run", "x.toml", "--out"], "repose run: --out: needs a value"),
     (["run", "x.toml", "--out", "a", "--out", "b"], "repose run: --out: is given more than once"),
-    (["export", "x", "--to", "obj"], '--to: must be one of vtk, ovito, csv, contact-problem, is "obj"'),
+    (["export", "x", "--to", "obj"], '--to: must be one of vtk, ovito, csv, html, movie, contact-problem, is "obj"'),
     (["export", "x"], "repose export: --to is required"),
     (["solve", "x", "--tolerance", "nan"], '--tolerance: must be a number >= 0, is "nan"'),
     (["solve", "x", "--most-sweeps", "-1"], '--most-sweeps: must be a whole number >= 0, is "-1"'),

@@ -16,7 +16,7 @@ add_library(repose_free_fall OBJECT ${CMAKE_CURRENT_BINARY_DIR}/free_fall.cpp)
 target_link_libraries(repose_free_fall PUBLIC repose_library)
 
 add_executable(repose_with_free_fall $<TARGET_OBJECTS:repose_free_fall> $<TARGET_OBJECTS:repose_cli_objects>)
-target_link_libraries(repose_with_free_fall PRIVATE repose_library)
+target_link_libraries(repose_with_free_fall PRIVATE repose_library PkgConfig::HTTPLIB)
 add_test(NAME free_fall_program COMMAND /usr/bin/python3 -m pytest -q -p no:cacheprovider
   ${CMAKE_CURRENT_SOURCE_DIR}/test_free_fall.py)
 set_tests_properties(free_fall_program PROPERTIES LABELS how_to TIMEOUT 300

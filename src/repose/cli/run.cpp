@@ -5,6 +5,7 @@
 #include "repose/cli/describe.hpp"
 #include "repose/cli/say.hpp"
 #include "repose/cli/verbs.hpp"
+#include "repose/cli/viewer_process.hpp"
 #include "repose/core/errors.hpp"
 #include "repose/run_folder/profile.hpp"
 
@@ -23,6 +24,7 @@ struct RunOptions {
   bool beyond_memory = false;
   bool quiet = false;
   bool profile = false;
+  bool view = false;
 };
 
 int act(const RunOptions& options) {
@@ -44,10 +46,16 @@ int act(const RunOptions& options) {
     say("{}", describe(*scene));
     say("threads          {}\noutput           {}\n", simulation.threads(), out);
   }
+  std::optional<ViewerProcess> viewer;
+  if (options.view) viewer.emplace(out);
   const int status = carry_out(simulation, folder, options.quiet);
   if (options.profile) {
     folder.write_profile(simulation);
     if (!options.quiet) say_text(describe_profile(simulation));
+  }
+  if (viewer && status == 0) {
+    say("the view stays open; Ctrl-C ends it\n");
+    viewer->wait();
   }
   return status;
 }
@@ -78,6 +86,9 @@ Verb run_verb() {
                         {.name = "--profile",
                          .about = "Show where the time went, stage by stage; also written to DIR/profile.json",
                          .target = &options->profile},
+                        {.name = "--view",
+                         .about = "Show the run in the browser while it is computed, as `repose view` does",
+                         .target = &options->view},
                         quiet_argument(options->quiet)},
           .examples = {{"repose run examples/heap.toml --out heap", "Pour a heap and write the folder heap"},
                        {"repose run examples/heap.toml --out rough --seed 2 --set contact.friction=0.8",

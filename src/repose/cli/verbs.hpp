@@ -22,6 +22,7 @@ inline constexpr int exit_interrupted = 130;
   verb(study) \
   verb(analyse) \
   verb(plot) \
+  verb(view) \
   verb(theory) \
   verb(export) \
   verb(solve) \

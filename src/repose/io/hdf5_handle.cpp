@@ -5,12 +5,15 @@
 namespace repose {
 
 void set_up_hdf5() {
-  static const bool done = [] {
+  static const bool once = [] {
     H5dont_atexit();
+    return true;
+  }();
+  thread_local const bool in_this_thread = [] {  // each has a stack of errors of its own, which it would print
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     return true;
   }();
-  static_cast<void>(done);
+  static_cast<void>(once && in_this_thread);
 }
 
 std::string hdf5_reason() {

@@ -10,15 +10,16 @@
 #include "repose/io/csv_tables.hpp"
 #include "repose/io/exports.hpp"
 #include "repose/io/folders.hpp"
-#include "repose/io/state.hpp"
 #include "repose/record/record_file.hpp"
 #include "repose/run_folder/checkpoint.hpp"
+#include "repose/run_folder/moments.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -28,15 +29,12 @@ namespace repose {
 
 namespace {
 
-/// The saved frames that run.h5 names; a frame that it does not name belongs to a run that was cut off.
+/// The saved frames to export; none of them is missing.
 std::vector<std::string> frame_files(const ExportOrder& order) {
   std::vector<std::string> files;
-  const Hdf5Reader run(order.folder + "/run.h5");
-  const auto groups = run.names_in("/");
-  if (!order.frames || std::find(groups.begin(), groups.end(), "frames") == groups.end()) return files;
   std::vector<std::string> missing;
-  for (const auto& name : run.names_in("frames")) {
-    files.push_back(fmt::format("{}/frames/{}.h5", order.folder, name));
+  for (const auto& name : order.frames ? saved_frames(order.folder) : std::vector<std::string>()) {
+    files.push_back(frame_path(order.folder, name));
     if (!path_exists(files.back())) {
       missing.push_back(fmt::format("{}: is missing; --frames last does without", files.back()));
     }
@@ -54,15 +52,6 @@ Moment with_stress(Moment moment, const Record& run, const std::vector<RecordedW
     moment.stress.push_back(grain.stress);
     moment.area.push_back(grain.area);
   }
-  return moment;
-}
-
-Moment read_frame(const std::string& path, const Record& last) {
-  const Hdf5Reader file(path);
-  check_belongs(file, last.facts);
-  Moment moment{
-      file.number("/", "time"), file.integer("/", "steps"), {read_grains<2>(file), last.box}, read_contacts<2>(file)};
-  check_partners(path, moment.grains, moment.contacts, last.walls.size());
   return moment;
 }
 
@@ -88,30 +77,6 @@ Record read_states(const ExportOrder& order) {
   auto last = read_last_state(order.folder);
   if (order.frames) read_series(Hdf5Reader(order.folder + "/run.h5"), last);
   return last;
-}
-
-WallLine line_of(const Wall<2>& wall, std::int64_t number, const Moment& moment) {
-  const Vec<2> along{{wall.normal[1], -wall.normal[0]}};
-  if (wall.finite()) {
-    return {wall.point - along * wall.half_length, wall.point + along * wall.half_length, number};
-  }
-  // An endless wall is drawn beside the grains and a little beyond.
-  double first = 0.0, last = 0.0;
-  for (const auto& grain : moment.grains->line) {
-    const double place = dot(Vec<2>(grain.position - wall.point), along);
-    first = std::min(first, place - 2.0 * grain.radius);
-    last = std::max(last, place + 2.0 * grain.radius);
-  }
-  return {wall.point + along * first, wall.point + along * last, number};
-}
-
-/// The walls that stand, as lines.
-std::vector<WallLine> lines_of(const std::vector<RecordedWall>& walls, const Moment& moment) {
-  std::vector<WallLine> lines;
-  for (std::size_t w = 0; w < walls.size(); ++w) {
-    if (!walls[w].open) lines.push_back(line_of(walls[w].wall, static_cast<std::int64_t>(w), moment));
-  }
-  return lines;
 }
 
 /// The fields of the last state as image data, where the run was analysed and has any.
@@ -236,6 +201,12 @@ void move_in(const fs::path& from, const fs::path& to) {
 }  // namespace
 
 Exported export_run(const ExportOrder& order) {
+  const std::map<std::string, ExportWriter> writers = {
+      {"vtk", export_vtk}, {"ovito", export_ovito}, {"csv", export_csv}, {"contact-problem", export_contact_problem}};
+  return export_run(order, writers.at(order.to));
+}
+
+Exported export_run(const ExportOrder& order, const ExportWriter& writer) {
   std::error_code error;
   if (!fs::is_directory(order.folder, error)) throw InputError(fmt::format("{}: no such folder", order.folder));
   if (!path_exists(order.folder + "/run.h5"))
@@ -263,10 +234,7 @@ Exported export_run(const ExportOrder& order) {
   const FolderLock lock(done.folder);  // two exports at once would mix their files
   try {
     fs::create_directories(beside);
-    if (order.to == "vtk") export_vtk(order, beside, done);
-    if (order.to == "ovito") export_ovito(order, beside, done);
-    if (order.to == "csv") export_csv(order, beside, done);
-    if (order.to == "contact-problem") export_contact_problem(order, beside, done);
+    writer(order, beside, done);
     move_in(beside, done.folder);
     fs::remove_all(beside);
   } catch (const fs::filesystem_error& failure) {

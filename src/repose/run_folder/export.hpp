@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,13 @@ struct Exported {
   std::size_t moments = 0;         ///< states of the run that they hold
 };
 
+/// Writes the files of an export into a folder, and notes what they are.
+using ExportWriter = std::function<void(const ExportOrder& order, const std::string& folder, Exported& done)>;
+
 /// Writes it, or nothing if anything fails. Throws InputError, RunError.
 Exported export_run(const ExportOrder& order);
+
+/// The same by a writer for another format.
+Exported export_run(const ExportOrder& order, const ExportWriter& writer);
 
 }  // namespace repose

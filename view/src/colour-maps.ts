@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Repose developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Written by scripts/colour_maps.py from matplotlib's maps (CC0). Do not edit.
+
+/** 48 stops each at equal distances, six hexadecimal digits a stop. */
+export const stopsOfMaps: Record<string, string> = {
+  viridis:
+    "44015446085c47106348186a481f70482677472d7b463480443a834241863f47883d4d8a3a538b38598c355f8d32648e306a8e2e6f8e2b748e" +
+    "29798e277e8e25838e23888e218e8d20928c1f988b1e9d891fa28722a78525ac822cb17e32b67a3bbb7544bf7050c46a5ac86467cc5c73d056" +
+    "7fd34e8ed6459bd93caadc32b8de29c8e020d5e21ae5e419f1e51dfde725",
+  magma:
+    "00000402020b0504160a0822100b2d160f3b1d11472512552d116138106c400f7449107852137c5a167e641a806b1d817521817c2382862781" +
+    "8e2a81962c80a02f7fa8327db2357bba3878c43c75cc3f71d5446ddc4869e34e65ea5661ef5d5ef4675cf7705cf97b5dfb8560fc9065fd9a6a" +
+    "fea36ffeae77feb77efec287fecc8ffed799fde0a1fdebacfcf4b6fcfdbf",
+  cividis:
+    "00224e002656002a5f002e6a0031700f35701a386f243c6e2b406d33446d39486c3e4b6c444f6c49536c4f576c545a6d595e6e5e626e636670" +
+    "676a716c6d727172747575757a7a787e7d788482798985788f8a78938e789892779e9676a39a74a99f73aea371b5a86fbaac6dc0b16ac5b568" +
+    "cbb965d1bf61d6c35dddc858e2cd54e9d34eefd748f6dd3ffce236fee838",
+  coolwarm:
+    "3b4cc04055c8465ecf4e68d85470de5b7ae56282ea6a8bef7093f3799cf880a3fa86a9fc8fb1fe96b7ff9ebeffa5c3feadc9fdb3cdfbbbd1f8" +
+    "c1d4f4c7d7f0cedaebd4dbe6dadce0dfdbd9e5d8d1ead5c9eed0c0f1ccb8f3c7b1f5c0a7f7ba9ff7b396f7ac8ef6a385f59c7df29274f08a6c" +
+    "ec8165e8765ce36c55de614dd85646d1493fcb3e38c32e31bb1b2cb40426",
+};
