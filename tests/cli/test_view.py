@@ -59,10 +59,10 @@ class View:
     def arrays(self, name):
         return decoded(self.get(name))
 
-    def events(self):
+    def events(self, of="api/"):
         """Yields (event, data) as they come."""
         with socket.create_connection(("127.0.0.1", self.port), timeout=60) as connection:
-            connection.sendall(f"GET {self.path}api/events HTTP/1.1\r\nHost: 127.0.0.1:{self.port}\r\n\r\n".encode())
+            connection.sendall(f"GET {self.path}{of}events HTTP/1.1\r\nHost: 127.0.0.1:{self.port}\r\n\r\n".encode())
             text = ""
             while True:
                 part = connection.recv(4096)
@@ -240,6 +240,20 @@ def test_a_hundred_clients_and_slow_readers(shown):
         connection.close()
 
 
+def test_listeners_leave_room_for_others(heap):
+    """Of 210 listeners 200 are served; the others are told so, and a page is answered all the same."""
+    with view(heap) as server:
+        lines = []
+        for _ in range(210):
+            lines.append(socket.create_connection(("127.0.0.1", server.port)))
+            lines[-1].sendall(f"GET {server.path}api/events HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\n\r\n".encode())
+        statuses = [line.recv(12).split()[1] for line in lines]
+        assert statuses.count(b"200") == 200 and statuses.count(b"503") == 10
+        assert server.json("api/folder")["kind"] == "run"
+        for line in lines:
+            line.close()
+
+
 def test_it_only_reads(heap, tmp_path):
     copy = tmp_path / "copy"
     shutil.copytree(heap, copy)
@@ -314,6 +328,9 @@ def test_a_sweep_and_its_members(tmp_path):
         name = said["members"][3]["name"]
         assert server.json(f"api/members/{name}/run")["seed"] == 2
         assert len(server.get(f"api/members/{name}/frame/last")) > 1000
+        assert next(server.events())[1] == {"finished": 4, "running": 0, "failed": 0}
+        assert next(server.events(f"api/members/{name}/"))[1]["status"] == "finished"
+        assert server.raw(server.path + "api/members/none/seed-1/events")[0] == 404
         assert server.raw(server.path + f"api/members/{name}/../../x")[0] == 404
 
 

@@ -10,10 +10,13 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <map>
 #include <mutex>
 #include <random>
 #include <string_view>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace repose {
 
@@ -25,6 +28,7 @@ constexpr auto host = "127.0.0.1";
 constexpr auto glance = 400ms;   // between two looks at the folder
 constexpr auto heartbeat = 15s;  // a comment to each listener, which finds out those that have left
 constexpr std::size_t most_clients = 256;
+constexpr int most_listeners = 200;  // each keeps a client's thread
 
 /// 128 random bits as hexadecimal digits.
 std::string random_token() {
@@ -83,12 +87,19 @@ std::string event_text(const std::string& state) {
   return state.empty() ? "event: gone\ndata: {}\n\n" : "event: change\ndata: " + state + "\n\n";
 }
 
+/// Those who listen to a folder, or to a member of a sweep.
+struct Channel {
+  News news;
+  std::atomic<int> listeners{0};
+};
+
 }  // namespace
 
 struct ViewServer::Parts {
   std::shared_ptr<Answers> answers;
   httplib::Server server;
-  News news;
+  std::mutex mutex;
+  std::map<std::string, Channel> channels;  // by what they are of; none is removed
   std::atomic<int> listeners{0};
   std::string token = random_token();
   int port = 0;
@@ -98,57 +109,86 @@ struct ViewServer::Parts {
     return named == fmt::format("{}:{}", host, port) || named == fmt::format("localhost:{}", port);
   }
 
-  void listen(httplib::Response& response) {
+  static void refuse(httplib::Response& response, int status, const char* why) {
+    response.status = status;
+    response.set_content(why, "text/plain; charset=utf-8");
+  }
+
+  void listen(const std::string& of, httplib::Response& response) {
+    if (!answers->has_events(of)) return refuse(response, 404, "no such events\n");
+    if (listeners >= most_listeners) return refuse(response, 503, "too many pages are open\n");
+    Channel* channel = nullptr;
+    {
+      const std::lock_guard lock(mutex);
+      channel = &channels[of];
+    }
     ++listeners;
+    ++channel->listeners;
     auto seen = std::make_shared<std::uint64_t>(0);
     response.set_chunked_content_provider(
         "text/event-stream",
-        [this, seen](std::size_t, httplib::DataSink& sink) {
+        [channel, seen](std::size_t, httplib::DataSink& sink) {
           std::string state;
-          const bool fresh = news.wait(*seen, state);
-          if (news.over()) {
+          const bool fresh = channel->news.wait(*seen, state);
+          if (channel->news.over()) {
             sink.done();
             return true;
           }
           const std::string text = fresh ? event_text(state) : ": still here\n\n";
           return sink.write(text.data(), text.size());
         },
-        [this](bool) { --listeners; });
+        [this, channel](bool) {
+          --listeners;
+          --channel->listeners;
+        });
   }
 
   void reply(const httplib::Request& request, httplib::Response& response) {
     const std::string_view path = request.path;
     const auto end = path.find('/', 1);
     if (path.size() < 2 || !same(path.substr(1, end == path.npos ? path.npos : end - 1), token)) {
-      response.status = 403;
-      response.set_content("this address needs the token that `repose view` prints\n", "text/plain; charset=utf-8");
-      return;
+      return refuse(response, 403, "this address needs the token that `repose view` prints\n");
     }
     if (end == path.npos) return response.set_redirect("/" + token + "/");
     const std::string address(path.substr(end + 1));
-    if (address == "api/events") return listen(response);
+    constexpr std::string_view api = "api/", events = "events";
+    if (address.starts_with(api) && address.ends_with("/events")) {
+      return listen(address.substr(api.size(), address.size() - api.size() - events.size()), response);
+    }
     const auto answer = answers->answer(address);
     response.status = answer.status;
     response.set_content(answer.body, answer.type.c_str());
   }
 
   httplib::Server::HandlerResponse admit(const httplib::Request& request, httplib::Response& response) const {
-    const auto refuse = [&](int status, const char* why) {
-      response.status = status;
-      response.set_content(why, "text/plain; charset=utf-8");
-      return httplib::Server::HandlerResponse::Handled;
-    };
-    if (!meant_for_us(request)) return refuse(403, "this host is not served\n");
-    if (request.method != "GET" && request.method != "HEAD") return refuse(405, "only GET is answered\n");
-    return httplib::Server::HandlerResponse::Unhandled;
+    const bool ours = meant_for_us(request);
+    if (ours && (request.method == "GET" || request.method == "HEAD")) {
+      return httplib::Server::HandlerResponse::Unhandled;
+    }
+    if (ours) {
+      refuse(response, 405, "only GET is answered\n");
+    } else {
+      refuse(response, 403, "this host is not served\n");
+    }
+    return httplib::Server::HandlerResponse::Handled;
+  }
+
+  /// The channels at this time, by what they are of.
+  std::vector<std::pair<std::string, Channel*>> all_channels() {
+    const std::lock_guard lock(mutex);
+    std::vector<std::pair<std::string, Channel*>> all;
+    for (auto& [of, channel] : channels) all.emplace_back(of, &channel);
+    return all;
   }
 
   void watch(const std::atomic<bool>& stop) {
     while (!stop) {
-      if (listeners > 0) news.tell(answers->state());
+      for (const auto& [of, channel] : all_channels()) {
+        if (channel->listeners > 0) channel->news.tell(answers->state(of));
+      }
       std::this_thread::sleep_for(glance);
     }
-    news.end();
+    for (const auto& [of, channel] : all_channels()) channel->news.end();
     server.stop();
   }
 };

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <string_view>
 
 namespace repose {
 
@@ -54,10 +55,19 @@ Answer Answers::answer(const std::string& address) {
   }
 }
 
-std::string Answers::state() {
+bool Answers::has_events(const std::string& of) { return of.empty() || member(of) != nullptr; }
+
+RunAnswers* Answers::member(const std::string& of) {
+  constexpr std::string_view before = "members/";
+  if (!sweep_ || !of.starts_with(before) || !of.ends_with('/')) return nullptr;
+  return sweep_->member(of.substr(before.size(), of.size() - before.size() - 1));
+}
+
+std::string Answers::state(const std::string& of) {
   if (!path_exists(folder_)) return "";
   const std::lock_guard lock(mutex_);
   try {
+    if (!of.empty()) return member(of)->state().dump();
     return (sweep_ ? sweep_->state() : run_->state()).dump();
   } catch (const std::exception&) {  // a file is being replaced: a later check tells
     return path_exists(folder_) ? "{}" : "";

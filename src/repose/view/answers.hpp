@@ -23,10 +23,15 @@ class Answers {
   /// The answer to an address below the token, such as "api/run".
   Answer answer(const std::string& address);
 
-  /// What an event tells, as JSON; "" where the folder has vanished.
-  std::string state();
+  /// Whether there are events of the folder ("") or of a member of a sweep ("members/POINT/seed-N/").
+  bool has_events(const std::string& of);
+
+  /// What they tell, as JSON; "" where the folder has vanished.
+  std::string state(const std::string& of);
 
  private:
+  RunAnswers* member(const std::string& of);
+
   std::string folder_;
   std::mutex mutex_;
   std::unique_ptr<RunAnswers> run_;

@@ -105,18 +105,21 @@ std::string SweepAnswers::sweep_text() {
       .dump();
 }
 
+RunAnswers* SweepAnswers::member(const std::string& name) {
+  const auto& all = folder_.members();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return name_of(one) == name; });
+  if (found == all.end()) return nullptr;
+  const std::lock_guard lock(mutex_);
+  auto& known = runs_[name];
+  if (!known) known = std::make_unique<RunAnswers>(folder_.member_path(*found));
+  return known.get();
+}
+
 Answer SweepAnswers::of_member(const std::string& address) {
-  for (const auto& member : folder_.members()) {
-    const auto name = name_of(member);
-    if (!address.starts_with(name + "/")) continue;
-    RunAnswers* run = nullptr;
-    {
-      const std::lock_guard lock(mutex_);
-      auto& known = runs_[name];
-      if (!known) known = std::make_unique<RunAnswers>(folder_.member_path(member));
-      run = known.get();
-    }
-    return run->answer(address.substr(name.size() + 1));
+  const auto point = address.find('/');
+  const auto end = point == address.npos ? point : address.find('/', point + 1);
+  if (end != address.npos) {
+    if (auto* run = member(address.substr(0, end))) return run->answer(address.substr(end + 1));
   }
   return nothing(fmt::format("{}: no such member", address));
 }

@@ -26,6 +26,9 @@ class SweepAnswers {
   /// How many members have finished, run and failed.
   nlohmann::ordered_json state();
 
+  /// The answers of the member with this name, "POINT/seed-N"; null where there is none.
+  RunAnswers* member(const std::string& name);
+
  private:
   using Measures = std::vector<std::pair<std::string, double>>;
   struct Seen {
