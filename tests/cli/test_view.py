@@ -241,7 +241,7 @@ def test_a_hundred_clients_and_slow_readers(shown):
 
 
 def test_listeners_leave_room_for_others(heap):
-    """Of 210 listeners 200 are served; the others are told so, and a page is answered all the same."""
+    """Of 210 listeners 200 are served; the others get an answer that says so, and a page is answered all the same."""
     with view(heap) as server:
         lines = []
         for _ in range(210):

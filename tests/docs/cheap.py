@@ -10,6 +10,7 @@
 | `repose study run`, `page` | `repose study list` of the same studies |
 | `repose plot` | the first of its pictures, of a small heap or sweep; the others must be known |
 | `repose analyse`, `export`, `resume`, `solve` | the same on a small heap, a heap of rigid grains, or a sweep |
+| `repose view DIR` | `repose export DIR --to html`, which makes the same page and ends |
 | `repose theory` | the same, with small numbers in HEAVY |
 | `repose check`, `scene`, `reference` and single options | the same |
 | `python3 -c`, and the Python of a page | the same, beside folders of small heaps |
@@ -72,6 +73,8 @@ def cheap_form(words, sweeps=()):
         pictures = pictures_of(words) or (["angle"] if words[1] in sweeps else ["heap"])
         small = ["--only", pictures[0], "--format", "png", "--dpi", "50"]
         return [*without(words, {"--only", "--format", "--dpi"}, set()), *small]
+    if verb == "view":
+        return ["export", words[1], "--to", "html"]
     if verb == "theory":
         return light(words)
     return words
