@@ -19,7 +19,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_COMPRESSION_TYPE gzip)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3-numpy, python3-h5py, python3-matplotlib")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-scipy, python3-sklearn")  # repose calibrate
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-scipy, python3-sklearn, ffmpeg")  # repose calibrate, movies
 if(REPOSE_PYTHON) # the compiled module is for one version of Python
   math(EXPR next_minor "${PYTHON_VERSION_MINOR} + 1")
   string(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS ", python3 (>= ${PYTHON_VERSION_MAJOR}.${PYTHON_VERSION_MINOR}~)"

@@ -76,6 +76,11 @@ TEST(Packing, LatticesAsCountedInTheirCells) {
        {{{{1, 0, 0}, {0.5, 0.5 * root3, 0}, {0, 0, std::sqrt(8.0 / 3.0)}}}, {{0, 0, 0}, {1.0 / 3.0, 1.0 / 3.0, 0.5}}}},
       {{"body-centred cubic", 3}, {cube, {{0, 0, 0}, {0.5, 0.5, 0.5}}}},
       {{"simple cubic", 3}, {cube, {{0, 0, 0}}}},
+      // Hexagonal close packing in a cell with three spheres in each of two layers, of which one is missing: layers are
+      // honeycombs.
+      {{"tunneled crystal", 3},
+       {{{{1.5, 0.5 * root3, 0}, {1.5, -0.5 * root3, 0}, {0, 0, std::sqrt(8.0 / 3.0)}}},
+        {{1.0 / 3.0, 1.0 / 3.0, 0}, {2.0 / 3.0, 2.0 / 3.0, 0}, {1.0 / 3.0, 0, 0.5}, {2.0 / 3.0, 1.0 / 3.0, 0.5}}}},
   };
   std::size_t exact = 0;
   for (const auto& fact : packing_facts()) {

@@ -40,14 +40,22 @@ std::vector<PackingFact> packing_facts() {
       {"isostatic without friction", 2, unknown, unknown, isostatic_coordination(2, false), counted},
       {"isostatic with friction", 2, unknown, unknown, isostatic_coordination(2, true), counted},
       {"face-centred cubic", 3, pi / (3.0 * std::numbers::sqrt2), 0.0, 12.0,
-       "pi/(3 sqrt 2); the densest of spheres; called body-centred in the text of the thesis"},
+       "pi/(3 sqrt 2); the densest of spheres (Hales 2005, Ann. Math. 162, 1065); called body-centred in the thesis"},
       {"hexagonal close", 3, pi / (3.0 * std::numbers::sqrt2), 0.0, 12.0, "pi/(3 sqrt 2); equally dense"},
       {"body-centred cubic", 3, pi * std::numbers::sqrt3 / 8.0, 0.0, 8.0, "pi sqrt 3/8"},
       {"simple cubic", 3, pi / 6.0, 0.0, 6.0, "pi/6"},
+      {"tunneled crystal", 3, pi * std::numbers::sqrt2 / 9.0, 0.0, 7.0,
+       "pi sqrt 2/9; close packing without a third of its spheres, the least dense strictly jammed packing known "
+       "(Torquato and Stillinger 2007, J. Appl. Phys. 102, 093511)"},
       {"random close (as in the thesis)", 3, 0.635, 0.0005, unknown,
        "Scott 1960, Nature 188, 908, quoted by Bratberg 2003; extrapolated to infinite cylinders"},
       {"random close (steel balls)", 3, 0.6366, 0.0005, unknown, "Scott and Kilgour 1969, J. Phys. D 2, 863"},
       {"random close (pair correlations)", 3, 0.64, 0.02, unknown, "Berryman 1983, Phys. Rev. A 27, 1053"},
+      {"maximally random jammed", 3, 0.64, unknown, unknown,
+       "Torquato, Truskett and Debenedetti 2000, Phys. Rev. Lett. 84, 2064"},
+      {"jamming of frictionless spheres", 3, 0.639, 0.001, isostatic_coordination(3, false),
+       "O'Hern, Silbert, Liu and Nagel 2003, Phys. Rev. E 68, 011306; limit of zero pressure, contacts without "
+       "rattlers"},
       {"random loose (no gravity)", 3, 0.555, 0.005, unknown,
        "Onoda and Liniger 1990, Phys. Rev. Lett. 64, 2727; spheres that sank in liquids of nearly their density"},
       {"random loose (rough spheres)", 3, 0.550, 0.001, unknown,
@@ -86,7 +94,8 @@ Table evaluate(const Packing& packing) {
           {{"fabric_trace", 1.0, "1", "trace of the fabric tensor <n n>, (4)"},
            {"anisotropy_bound", 2.0, "1", "largest a = 2 (l1 - l2) in 2D: all contacts in one direction"},
            {"anisotropy_bound_one_harmonic", 1.0, "1",
-            "largest A of P = (1 + A cos 2(theta - theta_c))/(2 pi), (3), which equals a: P >= 0"}}};
+            "largest A of P = (1 + A cos 2(theta - theta_c))/(2 pi), (3), which equals a: P >= 0"},
+           {"single_file_fraction", 2.0 / 3.0, "1", "spheres on top of each other in a tube of their diameter"}}};
 }
 
 }  // namespace repose::theory

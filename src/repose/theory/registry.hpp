@@ -9,11 +9,13 @@
 #include "repose/theory/janssen_fit.hpp"
 #include "repose/theory/mohr.hpp"
 #include "repose/theory/osl.hpp"
+#include "repose/theory/osl_cone.hpp"
 #include "repose/theory/packing.hpp"
 #include "repose/theory/pile_continuum.hpp"
 #include "repose/theory/pile_lattice.hpp"
 #include "repose/theory/pile_tent.hpp"
 #include "repose/theory/point_load.hpp"
+#include "repose/theory/point_load_3d.hpp"
 #include "repose/theory/q_model.hpp"
 #include "repose/theory/quasi_elastic.hpp"
 
@@ -22,7 +24,7 @@
 namespace repose::theory {
 
 /// Every model. A new model needs its header and one entry here.
-using Model = std::variant<PileLattice, PileContinuum, PileTent, Osl, Janssen, JanssenDiscrete, JanssenFit, Mohr,
-                           QuasiElastic, QModel, Packing, PointLoad, EquivalentSpring, ContactLaw>;
+using Model = std::variant<PileLattice, PileContinuum, PileTent, Osl, OslCone, Janssen, JanssenDiscrete, JanssenFit,
+                           Mohr, QuasiElastic, QModel, Packing, PointLoad, PointLoad3d, EquivalentSpring, ContactLaw>;
 
 }  // namespace repose::theory
