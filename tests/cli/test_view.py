@@ -334,6 +334,17 @@ def test_a_sweep_and_its_members(tmp_path):
         assert server.raw(server.path + f"api/members/{name}/../../x")[0] == 404
 
 
+def test_a_failed_member_says_why(tmp_path):
+    """A source so low and narrow that its own heap reaches it."""
+    (tmp_path / "low.toml").write_text(HEAP.replace("height = 10", "height = 3").replace("half_width = 2", "half_width = 0"))
+    (tmp_path / "sweep.toml").write_text('scene = "low.toml"\nseeds = 1\n[vary]\ncontact.friction = [0.5]\n')
+    assert subprocess.run([PROGRAM, "sweep", "sweep.toml", "--out", "out", "--quiet"], cwd=tmp_path, capture_output=True).returncode == 1
+    with view(tmp_path / "out") as server:
+        member = server.json("api/sweep")["members"][0]
+        assert member["status"] == "failed" and "the source is buried" in member["message"]
+        assert server.json(f"api/members/{member['name']}/run")["status"] == "failed"
+
+
 def test_what_cannot_be_shown_is_said_in_one_line(lab, shown):
     (lab.path / "empty").mkdir()
     assert lab.refused("view", "empty", parts=["empty: holds no run"]).count("\n") == 1

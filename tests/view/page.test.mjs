@@ -49,6 +49,7 @@ test("a grain has the colour of its value", async () => {
   for (const [id, wanted] of [[80, [253, 231, 37]], [40, [33, 145, 140]]]) {
     const found = await colourOf(id);
     const off = Math.max(...found.map((one, k) => Math.abs(one - wanted[k])));
+    // The map has 48 stops of matplotlib's 256 colours, and the picked pixel is rounded.
     assert.ok(off <= 12, `grain ${id} is ${found}, not ${wanted}`);
   }
   await coloured.close();

@@ -59,7 +59,6 @@ export interface Wall {
   name: string;
   from: [number, number];
   to: [number, number];
-  open: boolean;
   /** Of the wall, where one wall has many lines or some are left out; else its place in the list. */
   number?: number;
 }

@@ -68,8 +68,6 @@ function drawWalls({ context, app, viewport, inks, at }: Sheet): void {
   context.lineWidth = 1.6;
   context.lineCap = "round";
   for (const wall of app.frame?.walls ?? []) {
-    context.globalAlpha = wall.open ? 0.35 : 1;
-    context.setLineDash(wall.open ? [4, 5] : []);
     context.beginPath();
     context.moveTo(...at(...wall.from));
     context.lineTo(...at(...wall.to));

@@ -64,9 +64,9 @@ test("coordination counts contacts that push, walls too; without forces all", ()
 
 test("contacts without normals and points get them from the centres and walls", () => {
   const walls = [
-    { name: "drum", number: 1, from: [-9, 5], to: [-9, -5], open: false },
-    { name: "drum", number: 1, from: [0, -2], to: [9, -2], open: false },
-    { name: "lid", number: 0, from: [-9, 3], to: [9, 3], open: false },
+    { name: "drum", number: 1, from: [-9, 5], to: [-9, -5] },
+    { name: "drum", number: 1, from: [0, -2], to: [9, -2] },
+    { name: "lid", number: 0, from: [-9, 3], to: [9, 3] },
   ] as Wall[];
   const grains: [number, number, number][] = [[0, -1, 1], [1.6, 0.2, 1], [9, -1, 1]];
   const contacts = [

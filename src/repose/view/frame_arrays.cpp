@@ -101,8 +101,7 @@ std::string frame_arrays(const std::string& key, const Moment& moment, const std
     lines.push_back({{"number", line.number},
                      {"name", walls[static_cast<std::size_t>(line.number)].name},
                      {"from", {line.from[0], line.from[1]}},
-                     {"to", {line.to[0], line.to[1]}},
-                     {"open", false}});
+                     {"to", {line.to[0], line.to[1]}}});
   }
   ArrayMessage message(Json{{"key", key}, {"time", moment.time}, {"walls", lines}});
   Arrays arrays(message, precision);

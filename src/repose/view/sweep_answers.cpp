@@ -5,6 +5,7 @@
 #include "repose/analysis/statistics.hpp"
 #include "repose/core/errors.hpp"
 #include "repose/io/folders.hpp"
+#include "repose/record/record_file.hpp"
 #include "repose/results/registry.hpp"
 
 #include <fmt/format.h>
@@ -35,9 +36,10 @@ const SweepAnswers::Seen& SweepAnswers::look_at(std::size_t member) {
     seen.status = version.empty() ? "waiting" : "running";
   }
   seen.measures.clear();
-  if (status != "finished") return seen;
+  seen.message.clear();
   try {
-    seen.measures = folder_.measures(folder_.members()[member]);
+    if (status == "failed") seen.message = read_run_facts(path).message;
+    if (status == "finished") seen.measures = folder_.measures(folder_.members()[member]);
   } catch (const InputError&) {  // being replaced, or damaged: without numbers
   }
   return seen;
@@ -90,7 +92,7 @@ std::string SweepAnswers::sweep_text() {
                        {"point", plan.points[member.point].name},
                        {"seed", member.seed},
                        {"status", seen.status},
-                       {"message", ""},
+                       {"message", seen.message},
                        {"measures", numbers}});
   }
   auto offered = Json::array();

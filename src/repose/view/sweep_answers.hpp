@@ -34,6 +34,7 @@ class SweepAnswers {
   struct Seen {
     std::string version;  // of its summary.json
     std::string status;   // "waiting", "running", "finished" or "failed"
+    std::string message;  // why it failed
     Measures measures;    // of a finished one
   };
 
