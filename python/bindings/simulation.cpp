@@ -76,14 +76,14 @@ class Rows {
  public:
   explicit Rows(std::vector<Row> rows) : rows_(std::make_shared<const std::vector<Row>>(std::move(rows))) {}
 
-  /// A read-only view of one number of each row, or of D of them: (N) or (N, D).
+  /// A read-only view of one number of each row, or of the first of several: (N) or (N, columns).
   template <class Value>
   py::array view(Value Row::*member) const {
     return array<Value>(member, {count()}, {stride});
   }
-  template <class Value, std::size_t D>
-  py::array view(std::array<Value, D> Row::*member) const {
-    return array<Value>(member, {count(), static_cast<py::ssize_t>(D)}, {stride, sizeof(Value)});
+  template <class Value, std::size_t Most>
+  py::array view(std::array<Value, Most> Row::*member, int columns) const {
+    return array<Value>(member, {count(), columns}, {stride, sizeof(Value)});
   }
 
  private:
@@ -108,9 +108,10 @@ py::dict grains_of(const Simulation& simulation) {
   const Rows<Grain> rows(simulation.grains());
   py::dict views;
   views["id"] = rows.view(&Grain::id);
-  views["position"] = rows.view(&Grain::position);
-  views["velocity"] = rows.view(&Grain::velocity);
-  views["spin"] = rows.view(&Grain::spin);
+  const int dimension = simulation.dimension();
+  views["position"] = rows.view(&Grain::position, dimension);
+  views["velocity"] = rows.view(&Grain::velocity, dimension);
+  views["spin"] = dimension == 2 ? rows.view(&Grain::spin) : rows.view(&Grain::angular_velocity, 3);
   views["radius"] = rows.view(&Grain::radius);
   views["mass"] = rows.view(&Grain::mass);
   views["fixed"] = rows.view(&Grain::fixed);
@@ -124,7 +125,7 @@ py::dict contacts_of(const Simulation& simulation) {
   py::dict views;
   views["first"] = rows.view(&Contact::first);
   views["second"] = rows.view(&Contact::second);
-  views["normal"] = rows.view(&Contact::normal);
+  views["normal"] = rows.view(&Contact::normal, simulation.dimension());
   views["overlap"] = rows.view(&Contact::overlap);
   views["normal_force"] = rows.view(&Contact::normal_force);
   views["tangential_force"] = rows.view(&Contact::tangential_force);

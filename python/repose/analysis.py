@@ -27,7 +27,22 @@ GROUPS = {
     "motion": "start end grains moved moved_left depth kinetic_energy angle_left angle_right",
     "avalanches": "start end size duration waiting depth left",
     "bursts": "start end duration waiting peak",
-}  # needed datasets by group
+}  # needed datasets by group, in two dimensions
+SPHERE_GROUPS = {
+    "cone_surface": "r height sector_height used",
+    "cone_sectors": "azimuth_deg angle_deg",
+    "base_rings": "r inner outer count pressure pressure_error shear shear_error load",
+    "axial_fields": "r z density solid_fraction stress_rr stress_tt stress_zz stress_rz",
+    "forces": "f density error direction_cosine direction_all direction_strong",
+    "chains": "contacts grains chain",
+    "pair_correlation": "r g error",
+    "structure_factor": "q s error",
+    "voronoi": "id volume solid_fraction closed",
+    "column": GROUPS["column"],
+    "motion": "start end moved depth",
+    "avalanches": "start end size",
+    **{name: GROUPS[name] for name in ("stability", "column_motion", "drive", "slips", "bursts")},
+}  # the same in three
 
 
 class Packing(Table):
@@ -46,10 +61,11 @@ class Analysis(dict):
     attributes: dict  #: of analysis.h5: repose_version, time [T] of the state
     packing: "Packing | None"  #: of what /packing holds; None without
 
-    def __init__(self, path):
+    def __init__(self, path, dimension=2):
+        needed = GROUPS if dimension == 2 else SPHERE_GROUPS
         with opened(path) as file:
             self.attributes = attributes_of(file)
             check_format(path, self.attributes, "analysis", FORMAT_VERSION, ["time"])
-            groups = [*GROUPS, *(name for name in file if name not in GROUPS and name != "packing")]
-            super().__init__({name: Table(file[name], GROUPS.get(name, "")) if name in file else None for name in groups})
+            groups = [*needed, *(name for name in file if name not in needed and name != "packing")]
+            super().__init__({name: Table(file[name], needed.get(name, "")) if name in file else None for name in groups})
             self.packing = Packing(file["packing"]) if "packing" in file else None

@@ -16,12 +16,14 @@ from pathlib import Path
 import repose
 from repose import style
 from repose.errors import NotDrawn, complain, say
-from repose.pictures.run import RUN_PICTURES
+from repose.pictures import pictures_of_run
 from repose.pictures.run.common_axes import common_axes
 from repose.plot import Parser
 
 FORMATS = ("mp4", "webm", "gif")
 PICTURES = ("heap", "forces", "density")  # of frames, which have grains and contacts alone
+OF_SPHERES = {"heap": "projection", "forces": "forces"}  # what they are of spheres
+USUAL = {2: "forces", 3: "heap"}  # by dimension
 EVEN = "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white"  # codecs take even sizes
 CODECS = {
     "mp4": ["-vf", EVEN, "-c:v", "libx264", "-pix_fmt", "yuv420p", "-crf", "18", "-movflags", "+faststart"],
@@ -45,7 +47,7 @@ def parser():
     new = Parser(prog="repose export", description="Draw the saved frames of a run as a movie.")
     new.add_argument("folder", metavar="DIR")
     new.add_argument("out", metavar="OUT", help="folder to write")
-    new.add_argument("--picture", choices=PICTURES, default="forces")
+    new.add_argument("--picture", choices=PICTURES)
     new.add_argument("--format", choices=FORMATS, default="mp4")
     new.add_argument("--fps", type=whole_number(1, 120), default=25)
     new.add_argument("--dpi", type=whole_number(10, 1200), default=150)
@@ -54,11 +56,20 @@ def parser():
     return new
 
 
+def picture_of(run, name):
+    """The function that draws one of PICTURES; NotDrawn where a run of spheres has no such picture."""
+    if run.attributes["dimension"] == 3:
+        if name not in OF_SPHERES:
+            raise NotDrawn(f"{name}: is drawn in two dimensions alone")
+        name = OF_SPHERES[name]
+    return pictures_of_run(run)[name]
+
+
 def draw_frame(run, axes, name, options, path):
     """Draws one state into a PNG."""
     state = replace(run.frame(name) if name else run.state, axes=axes)
     with style.context():
-        style.save(RUN_PICTURES[options.picture](run, state), path, "png", options.dpi, run.attributes["title"])
+        style.save(picture_of(run, options.picture)(run, state), path, "png", options.dpi, run.attributes["title"])
 
 
 _shared = {}  # of a worker: what all its frames have in common
@@ -103,6 +114,8 @@ def export_movie(options):
         raise repose.RunFolderError(f"{run.path}: a sweep has no frames")
     if not run.frames:
         raise repose.RunFolderError(f"{run.path}: no frame was saved (output.frames)")
+    options.picture = options.picture or USUAL[run.attributes["dimension"]]
+    picture_of(run, options.picture)  # refuses before anything is written
     out = Path(options.out)
     out.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=out, prefix=".unfinished-") as unfinished:

@@ -37,9 +37,9 @@ def run_html(run):
 
 def page_of(run):
     """The page of `repose view` with the run in it: all frames of a small run, else the last state; "" for a large one or
-    where the page cannot be made."""
+    where the page cannot be made, as for spheres."""
     grains = len(run.state.grains)
-    if grains > MOST_GRAINS:
+    if grains > MOST_GRAINS or run.attributes["dimension"] != 2:
         return ""
     try:
         from repose_compiled import exported_page
@@ -55,7 +55,7 @@ def page_of(run):
 
 def picture_of(run):
     """The picture of the heap, if it was drawn."""
-    picture = run.path / "pictures/heap.png"
+    picture = run.path / "pictures" / ("heap.png" if run.attributes["dimension"] == 2 else "projection.png")
     if not picture.is_file():
         return ""
     data = base64.b64encode(picture.read_bytes()).decode("ascii")

@@ -10,12 +10,15 @@ from functools import partial
 import repose
 from repose import style
 from repose.errors import NotDrawn, complain, say
+from repose.pictures import pictures_of_run
 from repose.pictures.run import RUN_PICTURES
 from repose.pictures.run.common_axes import common_axes
+from repose.pictures.spheres import SPHERE_PICTURES
 from repose.pictures.sweep import SWEEP_PICTURES
 
 FORMATS = ("png", "svg", "pdf", "eps")
 USUAL_FORMATS = ("png", "svg")
+KNOWN = {"a run": RUN_PICTURES, "a run of spheres": SPHERE_PICTURES, "a sweep": SWEEP_PICTURES}
 
 
 class Parser(argparse.ArgumentParser):
@@ -57,8 +60,8 @@ def parser():
         prog="repose plot", description="Draw the pictures of a run or sweep folder into DIR/pictures."
     )
     new.add_argument("folder", metavar="DIR", help="run folder or sweep folder")
-    known = f"of a run: {','.join(RUN_PICTURES)}; of a sweep: {','.join(SWEEP_PICTURES)}"
-    new.add_argument("--only", metavar="NAMES", help=known)
+    known = "; of ".join(f"{kind}: {','.join(names)}" for kind, names in KNOWN.items())
+    new.add_argument("--only", metavar="NAMES", help=f"of {known}")
     kinds = f"{','.join(FORMATS)} (default: {','.join(USUAL_FORMATS)})"
     new.add_argument("--format", type=list_of(FORMATS), default=list(USUAL_FORMATS), metavar="KINDS", help=kinds)
     new.add_argument("--dpi", type=dots_per_inch, default=200, metavar="N", help="resolution of PNG (default: 200)")
@@ -90,7 +93,7 @@ def pictures_of(folder, options):
         return
     for state in states_of(folder, options.frame, options.same_axes):
         suffix = f"-{state.frame}" if state.frame else ""
-        yield suffix, {name: partial(_one, draw, folder, state) for name, draw in RUN_PICTURES.items()}
+        yield suffix, {name: partial(_one, draw, folder, state) for name, draw in pictures_of_run(folder).items()}
 
 
 def _one(draw, run, state):

@@ -17,6 +17,7 @@ from repose.tables import to_pandas
 
 FORMAT_VERSION = 4
 FORCES = {"normal_force", "tangential_force", "history", "sliding"}
+TANGENTIAL = {"tangential_force", "history"}  # vectors in three dimensions
 NEEDED = set("title units dimension time status grain_diameter grain_weight periodic x_min x_max".split())
 
 
@@ -27,7 +28,7 @@ class Grains:
     id: np.ndarray  #: (N) int64, ascending, with gaps where grains were lost
     position: np.ndarray  #: (N, D) [L]
     velocity: np.ndarray  #: (N, D) [L/T], half a step before the stated time
-    spin: np.ndarray  #: (N) in 2D, (N, 3) in 3D [1/T], counter-clockwise
+    spin: np.ndarray  #: angular velocity [1/T], (N) counter-clockwise in 2D, (N, 3) in 3D
     radius: np.ndarray  #: (N) [L]
     mass: np.ndarray  #: (N) [M]
     fixed: np.ndarray  #: (N) bool: neither moves nor turns
@@ -55,8 +56,8 @@ class Contacts:
     normal: np.ndarray  #: (M, D) unit vector from the second to the first
     overlap: np.ndarray  #: (M) [L], negative in the tail of the continuous law
     normal_force: np.ndarray  #: (M) [M L/T^2], positive pushes apart
-    tangential_force: np.ndarray  #: (M) in 2D, (M, 3) in 3D [M L/T^2], along the normal turned by +90 degrees
-    history: np.ndarray  #: (M) in 2D, (M, 3) in 3D [L], slip displacement
+    tangential_force: np.ndarray  #: [M L/T^2], (M) along the normal turned by +90 degrees in 2D, (M, 3) in 3D
+    history: np.ndarray  #: [L] slip displacement, (M) in 2D, (M, 3) in 3D
     sliding: np.ndarray  #: (M) bool: at the Coulomb limit
 
     def __len__(self):
@@ -123,7 +124,7 @@ class RunFolder:
     @property
     def surface(self):
         """Table of the surface profile with the lines of its flanks as attributes; None without an analysis."""
-        return self.analysis and self.analysis["surface"]
+        return self.analysis and self.analysis.get("surface")
 
     def _repr_html_(self):
         """What a notebook shows of the run."""
@@ -144,14 +145,21 @@ class RunFolder:
 def _read_arrays(kind, group):
     """A Grains or Contacts from the datasets named like its fields; flags become bool. A method without forces keeps none:
     they are 0 then."""
-    none = np.zeros(len(group["overlap"])) if "overlap" in group else None
     arrays = {
-        field.name: none if none is not None and field.name in FORCES and field.name not in group else values_of(group[field.name])
+        field.name: _no_forces(group, field.name)
+        if kind is Contacts and field.name in FORCES and field.name not in group
+        else values_of(group[field.name])
         for field in fields(kind)
     }
     for name in {"fixed", "base", "sliding"} & arrays.keys():
         arrays[name] = arrays[name].astype(bool)
     return kind(**arrays)
+
+
+def _no_forces(group, name):
+    """The zeros that stand for a dataset of forces which a method without forces leaves out."""
+    count, dimension = group["normal"].shape
+    return np.zeros((count, dimension) if dimension == 3 and name in TANGENTIAL else count)
 
 
 def _read_state(file, frame=None):
@@ -175,10 +183,10 @@ def _read_analysis(path, state, run):
     """None without a file, or with one of an earlier state: a running simulation writes run.h5 before analysis.h5."""
     if not path.is_file():
         return None
-    analysis = Analysis(path)
+    analysis = Analysis(path, run["dimension"])
     _check_belongs(path, analysis.attributes, run)
     if analysis.attributes.get("state_hash", "") not in ("", run.get("state_hash", "")):
         return None
-    chains = analysis["chains"]
+    chains = analysis.get("chains")
     same_contacts = chains is None or len(chains["chain"]) == len(state.contacts)
     return analysis if analysis.attributes["time"] == state.time and same_contacts else None

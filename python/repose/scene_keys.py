@@ -53,6 +53,17 @@ class ContactCohesionKeys(Keys):
     surface_energy: float  # [M/T^2] work of adhesion w of both surfaces: the pull-off force is 3/2 pi w R*
 
 
+class ContactTwistingKeys(Keys):
+    """Keys under contact.twisting."""
+
+    law: str  # resistance to twisting, the relative spin about the normal; default "none"
+    friction: float  # mu_t: the torque about the normal is at most mu_t R N
+    stiffness: float  # [M/T^2] torque over R per twisted length, R times the angle; default 100 m g/d
+    damping: float  # fraction of critical damping; default 0.3
+    rate: float  # [1/T] torque over R, reduced mass and twisting velocity
+    full_at: float  # [L/T] twisting velocity above which the torque is complete; it grows linearly up to there; defa...
+
+
 class GrainsKeys(Keys):
     """Keys under grains."""
 
@@ -99,10 +110,12 @@ class ContactKeys(Keys):
     tangential: ContactTangentialKeys
     rolling: ContactRollingKeys
     cohesion: ContactCohesionKeys
+    twisting: ContactTwistingKeys
     restitution: float  # normal velocity after an impact over that before; default 0
     tangential_restitution: float  # the same for the tangential velocity, as far as friction allows; default 0
     rolling_friction: float  # tan(theta_r): torque over normal force and roll radius 2 r_i r_j/(r_i + r_j) at most; ...
     weakening_velocity: float  # [L/T] slip at which friction has fallen to dynamic_friction, linearly; 0: it does no...
+    twisting_friction: float  # torque about the normal over normal force and roll radius at most; inf: no twisting; ...
     dynamic_friction: float  # friction of contacts that slide at weakening_velocity or faster
 
 
@@ -110,10 +123,12 @@ class BaseKeys(Keys):
     """Keys under base."""
 
     kind: str  # what the grains rest on, at height 0; default "none"
-    spacing: float  # [L] distance between the centres, one of them at x = 0; default d
+    spacing: float  # [L] distance between the centres, one of them at x = y = 0; default d
+    radius: float  # [L] centres lie within this of the middle
+    disorder: float  # [L] each is displaced along x and along y by up to this, at random; default 0
+    roughness: float  # [L] centres lie at random between this below height 0 and 0; default 0
     half_width: float  # [L] the row covers +- this
     material: str  # its material, for the laws of the pair; default the first material
-    roughness: float  # [L] centres lie between this below height 0 and 0; at most half the smallest diameter; defaul...
     count: int  # width of base and box in diameters; default 32
     smooth: bool  # no friction, and the height of the centre as distance (Baxter et al. 1997); default false
 
@@ -124,19 +139,21 @@ class BoxKeys(Keys):
     x: str  # its sides; grains that leave an open box are lost and counted; default "open"; "periodic" over a contig...
     half_width: float  # [L] x from -half_width to half_width; default base.half_width, or 200 d without a base of gr...
     floor: float | str  # [L] grains that fall below are lost and counted; "auto": 5 diameters below base grains, els...
+    y: str  # its sides along y; default as box.x
+    half_depth: float  # [L] y from -half_depth to half_depth; default box.half_width
 
 
 class StartKeys(Keys):
     """Keys under start."""
 
     from_: str  # grains at the start: a run folder whose end it is, or a file of grains; relative to this file; defa...
+    flip: str  # axis whose sign changes, after the scaling; default "none"
+    shift: list[float]  # [L] is added to places, after scaling and flip; default [0, 0, 0]
     step: int  # of the snapshot of a file with several to start from; -1: the last; default -1
     at_rest: bool  # they start without motion; default false
     plane: str  # of a file in three dimensions: its first axis points to the right, its second up; default "xy"
     tolerance: float  # [L] grains may lie so far apart across the plane; default 1e-6 d
     scale: float  # lengths and velocities of the file are multiplied by this; default 1
-    flip: str  # axis whose sign changes, after the scaling; default "none"
-    shift: list[float]  # [L] is added to places, after scaling and flip; default [0, 0]
     fixed_types: list[float]  # grains of these types (or materials, as the file numbers them) are fixed; default []
 
 
@@ -144,22 +161,29 @@ class SourceKeys(Keys):
     """Keys under source."""
 
     kind: str  # where grains come from; default "none"
+    opening: str  # level area of the releases; default "disc"
+    radius: float  # [L] of the disc; default 3 d
+    y: float  # [L] centre of the opening; default 0
+    velocity: list[float]  # [L/T] velocity at release; default [0, 0, 0]
+    half_depth: float  # [L] grains are released at y +- this; default source.half_width
+    structure: str  # face-centred cubic on square layers, hexagonal close-packed, or simple cubic; default "fcc"
+    shape: str  # of the crystal; a pyramid is of structure fcc; default "block"
+    columns: int  # spheres along x in the lowest layer
+    rows: int  # spheres along y in the lowest layer
+    layers: int  # layers one above the other
+    gap: float  # [L] gap between spheres of the largest size; default 0
+    jitter: float  # each sphere is displaced by up to this times half the gap, so that none touch; default 0
+    x: float  # [L] middle of the crystal; default 0
     count: int  # grains released in all
     rate: float  # [1/T] grains per time; the first at time 0
     height: float  # [L] height of the centres at release; default 100 d
     height_above: str  # the height is above height 0, or above the highest grain that touches something at each rele...
     half_width: float  # [L] grains are released at x +- this; default 3 d
-    x: float  # [L] centre of the opening; default 0
-    velocity: list[float]  # [L/T] velocity at release; default [0, 0]
-    columns: int  # grains in each row of a block; 0: a pile; default 0
-    rows: int  # rows of a block, or of a 60-degree pile with as many grains in its lowest row and one less in each a...
     base_count: int  # grains in the lowest row of a pile of any slope, instead of source.rows; default 0
     slope: float  # [deg] slope of the flanks of the pile, of a tent from the foot to the break; default 60
     upper_slope: float  # [deg] slope of a tent from the break to the apex; default source.slope
     break_at: float  # distance of the break from the nearer foot, over the length of the base between its corner cen...
     fixed_base: bool  # the fixed grains of the base are the lowest row of the pile; else that row lies in their holl...
-    gap: float  # [L] gap between grains of the largest size; default 0
-    jitter: float  # each grain is displaced by up to this times half the gap, so that none touch; default 0
     rest: float  # [g dt] all are at rest when no velocity and no rim velocity is above this; default 0.005
 
 
@@ -196,11 +220,11 @@ class AnalysisKeys(Keys):
     slips: bool  # find the slips of a driven wall whenever the run is analysed, as `repose analyse --slips` does onc...
     burst: float  # [force units times diameters] kinetic energy of the heap above which a burst is counted; default 5
     packing: bool  # measure the packing in a slab: solid fraction, contacts, fabric; default true in a periodic box
+    correlations: bool  # pair correlation g(r); default false
     force: float  # [M L/T^2] the force unit
     slab: list[float]  # edges of the slab above the base centres, or above height 0 without base grains, in mean hei...
     contact_gap: float  # [diameters] grains closer than this touch; default 1e-09
     direction_bins: int  # bins of contact directions, over 180 degrees; default 36
-    correlations: bool  # pair correlation g(r), and along x and y; default false
     structure_factor: bool  # structure factor S(q); default false
     local_density: bool  # local density by Voronoi cells; default false
 
@@ -210,8 +234,10 @@ class SceneKeys(Keys):
 
     title: str  # title of the scene; default ""
     units: str  # reduced: grain diameter, grain mass, gravity = 1; SI: m, kg, s; default "reduced"
+    dimension: int  # 2: discs in a plane, y upwards; 3: spheres, z upwards; default 2
     seed: int  # seed of everything random; default 1
-    gravity: float  # [L/T^2] gravity, along -y; default 1; 9.81 in SI
+    gravity: float  # [L/T^2] gravity; default 1; 9.81 in SI
+    gravity_direction: list[float]  # of gravity, of any length; heights are measured along the last axis all the sam...
     grains: GrainsKeys
     method: MethodKeys
     contact: ContactKeys

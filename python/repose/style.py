@@ -90,6 +90,7 @@ class Units:
 
     reduced: bool
     weightless: bool = False  # without gravity time, speed, stress and energy have no unit of their own
+    dimension: int = 2
 
     def length(self, symbol):
         return f"{symbol} / σ" if self.reduced else f"{symbol} (m)"
@@ -110,7 +111,14 @@ class Units:
         return self._of(symbol, "gσ", "L²/T²", "m²/s²")
 
     def stress(self, symbol):
+        if self.dimension == 3:
+            return self._of(symbol, "(mg/σ²)", "M/(L T²)", "Pa")
         return self._of(symbol, "(mg/σ)", "M/T²", "N/m")
+
+    def density(self, symbol):
+        """Mass per volume, or per area in two dimensions."""
+        power = "³" if self.dimension == 3 else "²"
+        return f"{symbol} / (m/σ{power})" if self.reduced else f"{symbol} (kg/m{power})"
 
     def mass(self, symbol):
         return f"{symbol} / m" if self.reduced else f"{symbol} (kg)"
@@ -138,7 +146,7 @@ class Units:
 def units_of(run):
     """Units of the scene of a run or sweep."""
     weight = run.attributes.get("grain_weight", 1.0)
-    return Units(run.attributes["units"] == "reduced", not weight > 0.0)
+    return Units(run.attributes["units"] == "reduced", not weight > 0.0, run.attributes.get("dimension", 2))
 
 
 def fit(figure, area=(0.0, 0.0, 1.0, 1.0), **padding):

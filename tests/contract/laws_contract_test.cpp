@@ -197,6 +197,13 @@ TEST(LawContract, NoEnergyFromACycle) {
   }
 }
 
+/// The law that damps the rolling of spheres as this one damps that of discs: damping is a fraction of the critical
+/// one, and spheres have less inertia, 2/5 m R^2 instead of 1/2.
+AnyPairLaw of_spheres(AnyPairLaw law) {
+  if (auto* spring = std::get_if<RollingSpring>(&law.rolling.law)) spring->damping *= std::sqrt(0.5 / 0.4);
+  return law;
+}
+
 // A contact in the plane z = 0 of 3D has the forces of 2D (tangent t = z x n).
 TEST(LawContract, PlanarContactIn3DIsThatOf2D) {
   for_all_laws([](const auto& law) {
@@ -221,7 +228,7 @@ TEST(LawContract, PlanarContactIn3DIsThatOf2D) {
       soft::Push<3, true> push_3d;
       for (int step = 0; step < 5; ++step) {
         const bool touches = push_of(law, a, b, history, push);
-        ASSERT_EQ(push_of(law, lifted(a), lifted(b), history_3d, push_3d), touches);
+        ASSERT_EQ(push_of(of_spheres(law), lifted(a), lifted(b), history_3d, push_3d), touches);
         if (!touches) break;
         if (step == 0) ++touching;
       }

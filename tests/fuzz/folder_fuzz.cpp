@@ -60,7 +60,7 @@ void make_good_folders() {
     Simulation simulation(scene_from_text(scene_of_runs, "scene"), 1);
     RunFolder folder((place() / (whole ? "whole" : "cut")).string(), simulation);
     std::atomic<bool> interrupt{false};
-    if (!whole) simulation.observe_every(12.0, [&](const Simulation&) { interrupt = true; });
+    if (!whole) simulation.observe_every(12.0, [&](const Simulation<2>&) { interrupt = true; });
     folder.run(simulation, interrupt);
     folder.write(simulation);
   }
@@ -197,7 +197,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (std::size_t k = 0; k + 4 <= size && k < 4 * most_edits; k += 4) {
     edit(folder / files[data[k] % files.size()], data + k);
   }
-  attempt([&] { analyse(read_record(folder.string())); });
+  attempt([&] { analyse(read_record<2>(folder.string())); });
   ExportOrder order;
   order.folder = folder.string();
   for (const auto* format : {"csv", "vtk", "ovito"}) {

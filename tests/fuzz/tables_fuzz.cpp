@@ -40,8 +40,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string path = std::string(given != nullptr ? given : "/tmp") + "/fuzz-table";
   std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
   for (const auto plane : {Plane::xy, Plane::xz}) {
-    attempt([&] { read_start(path, {size % 3 == 0 ? 0 : last_snapshot, plane}); });
+    attempt([&] { read_start<2>(path, {size % 3 == 0 ? 0 : last_snapshot, plane}); });
   }
+  attempt([&] { read_start<3>(path, {size % 3 == 0 ? 0 : last_snapshot, Plane::xy}); });
+  attempt([&] { scene_from_text("dimension = 3\n[start]\nfrom = '" + path + "'\n[stop]\ntime = 1\n", "scene"); });
   attempt([&] { scene_from_text("[start]\nfrom = '" + path + "'\n[stop]\ntime = 1\n", "scene"); });
   attempt([&] {
     const NumberTable table(path, {"z"});

@@ -28,7 +28,7 @@ plane = [{ point = [0.0, 0.0], normal = [0.0, 1.0] },
 
 Scene scene_of(const std::string& more) { return scene_from_text(box + more, "scene.toml"); }
 
-const Grain<2>& first_of(const Simulation& simulation) { return simulation.grains().line.at(0); }
+const Grain<2>& first_of(const Simulation<2>& simulation) { return simulation.grains().line.at(0); }
 
 /// A wave that goes up and down between 0 and `top` at unit speed.
 double triangle(double path, double top) {
@@ -111,7 +111,7 @@ const std::string poured =
     "source = { kind = \"pour\", count = 30, rate = 3.0, height = 6, half_width = 3, velocity = [0.4, 0.0] }\n"
     "grains = { polydispersity = 0.5 }\nstop = { time = 37.3 }\noutput = { series = 0.7, track = 2.1 }\n";
 
-void expect_same(const Record& a, const Record& b) {
+void expect_same(const Record<2>& a, const Record<2>& b) {
   EXPECT_EQ(a.facts.state_hash, b.facts.state_hash);
   EXPECT_EQ(a.facts.time, b.facts.time);
   EXPECT_EQ(a.facts.steps, b.facts.steps);
@@ -134,7 +134,7 @@ TEST(FreeFall, PiecesObserversAndACheckpointLeaveTheBits) {
   EXPECT_GT(whole.steps(), 150);
   Simulation first(scene, 1);
   std::vector<double> times;
-  first.observe_every(0.3, [&](const Simulation& s) { times.push_back(s.time()); });
+  first.observe_every(0.3, [&](const Simulation<2>& s) { times.push_back(s.time()); });
   double time = 0.0;
   for (std::uint64_t k = 0; time < 20.0; ++k) {
     time += 0.4 * uniform(1, Purpose::release_position, k);

@@ -44,6 +44,12 @@ inline std::vector<CohesionLaw> every_cohesion_law() {
   return and_all_others<CohesionLaw>({NoCohesion{}, ConstantCohesion{0.4}, Jkr{0.2, 1.5e5}});
 }
 
+/// In 3D alone.
+inline std::vector<TwistingLaw> every_twisting_law() {
+  return and_all_others<TwistingLaw>(
+      {NoTwisting{}, TwistingSpring{{0.05, 500.0, 0.3}}, TwistingViscous{{0.05, 5.0}}, TwistingConstant{{0.05, 0.3}}});
+}
+
 /// Calls `use` with every normal and tangential law, without rolling resistance and cohesion.
 template <class Use>
 void for_every_pair_law(Use&& use) {
@@ -52,13 +58,18 @@ void for_every_pair_law(Use&& use) {
   }
 }
 
-/// Calls `use` with every combination of laws.
+/// Calls `use` with every combination of laws. Each law of rolling goes with the law of twisting of its kind.
 template <class Use>
 void for_all_laws(Use&& use) {
+  const auto every_rolling = every_rolling_law();
+  const auto every_twisting = every_twisting_law();
   for (const auto& normal : every_normal_law()) {
     for (const auto& tangential : every_tangential_law()) {
-      for (const auto& rolling : every_rolling_law()) {
-        for (const auto& cohesion : every_cohesion_law()) use(any_pair_law({normal, tangential, rolling, cohesion}));
+      for (std::size_t k = 0; k < every_rolling.size(); ++k) {
+        const auto& twisting = every_twisting[k % every_twisting.size()];
+        for (const auto& cohesion : every_cohesion_law()) {
+          use(any_pair_law({normal, tangential, every_rolling[k], cohesion, twisting}));
+        }
       }
     }
   }

@@ -122,8 +122,7 @@ TEST(Api, StateContactsAndMeasuresDescribeTheSameGrains) {
   double carried = 0.0;
   for (const auto& contact : simulation.contacts()) {
     EXPECT_NEAR(std::hypot(contact.normal[0], contact.normal[1]), 1.0, 1e-12);
-    const auto& [nx, ny] = contact.normal;
-    const double upward = contact.normal_force * ny + contact.tangential_force * nx;
+    const double upward = contact.normal_force * contact.normal[1] + contact.tangential_force * contact.normal[0];
     const bool first = grains[static_cast<std::size_t>(contact.first)].fixed;
     const bool second = grains[static_cast<std::size_t>(contact.second)].fixed;
     if (first != second) carried += first ? -upward : upward;

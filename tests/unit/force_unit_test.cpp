@@ -64,10 +64,10 @@ TEST(Rest, WithoutGravityForcesAreMeasuredByTheirMean) {
   grains.line[0].velocity = {{0.2, 0.0}};
   auto contacts = forces({3.0, 5.0});
   contacts.list[1].normal = {{0.0, -1.0}};
-  const auto unrest = largest_unrest(grains, contacts, {}, 0.0, 1.0);
+  const auto unrest = largest_unrest(grains, contacts, {}, Vec<2>{}, 1.0);
   EXPECT_DOUBLE_EQ(unrest.net_force, 0.5);
   EXPECT_DOUBLE_EQ(unrest.kinetic_energy, 0.02 / 4.0);
-  EXPECT_EQ(largest_unrest(grains, {}, {}, 0.0, 1.0).net_force, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(largest_unrest<2>(grains, {}, {}, Vec<2>{}, 1.0).net_force, std::numeric_limits<double>::infinity());
   const auto scene = scene_from_text(
       "gravity = 0\ncontact.normal.law = \"hooke\"\nstop = { at_rest = 1e-3 }\noutput = { window = 2.0 }\n[[grain]]\n"
       "position = [0, 1]\n",

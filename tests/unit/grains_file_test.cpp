@@ -21,11 +21,11 @@ class GrainsFileTest : public ::testing::Test {
  protected:
   std::string path(const std::string& name) const { return folder_.path(name); }
 
-  GrainsFile file(const std::string& text, const GrainsFileOptions& options = {}) const {
+  GrainsFile<2> file(const std::string& text, const GrainsFileOptions& options = {}) const {
     std::ofstream(path("f"), std::ios::binary) << text;
-    return read_grains_file(path("f"), options);
+    return read_grains_file<2>(path("f"), options);
   }
-  std::vector<GrainRow> read(const std::string& text) const { return file(text).grains; }
+  std::vector<GrainRow<2>> read(const std::string& text) const { return file(text).grains; }
 
   /// The problems of a file, without its path, with which each line must begin.
   std::vector<std::string> refused(const std::string& text) const {
@@ -185,8 +185,8 @@ TEST_F(GrainsFileTest, OtherFilesAreRefused) {
   EXPECT_TRUE(refused("# vtk DataFile Version 3.0\nx\nASCII\n").at(0).starts_with(" is a legacy VTK file; open it in"));
   EXPECT_TRUE(refused("<?xml version=\"1.0\"?>\n<VTKFile>\n").at(0).starts_with(" is an XML file"));
   EXPECT_TRUE(refused("{\"x\": [1]}\n").at(0).starts_with(" is a JSON file; write a table"));
-  EXPECT_THROW(read_grains_file(path("nowhere")), InputError);
-  EXPECT_THROW(read_grains_file(folder_.path()), InputError);
+  EXPECT_THROW(read_grains_file<2>(path("nowhere")), InputError);
+  EXPECT_THROW(read_grains_file<2>(folder_.path()), InputError);
 }
 
 std::string snapshot(const std::string& columns, const std::string& atoms, int count, int step = 5,
@@ -251,19 +251,19 @@ TEST_F(GrainsFileTest, ASnapshotOfADumpCanBeChosen) {
   std::ofstream(path("f")) << snapshot("x y radius", "1 1 1\n", 1, 10) +
                                   snapshot("x y radius", "2 2 1\n3 3 1\n", 2, 20) +
                                   snapshot("x y radius", "bad 4 1\n", 1, 30) + "ITEM: TIMESTEP\n40\n";
-  EXPECT_EQ(read_grains_file(path("f"), {.step = 10}).grains.at(0).position[0], 1.0);
-  EXPECT_EQ(read_grains_file(path("f"), {.step = 20}).grains.size(), 2U);
-  EXPECT_THROW(read_grains_file(path("f"), {.step = 30}), InputError);
-  EXPECT_THROW(read_grains_file(path("f")), InputError) << "the last one is not complete";
+  EXPECT_EQ(read_grains_file<2>(path("f"), {.step = 10}).grains.at(0).position[0], 1.0);
+  EXPECT_EQ(read_grains_file<2>(path("f"), {.step = 20}).grains.size(), 2U);
+  EXPECT_THROW(read_grains_file<2>(path("f"), {.step = 30}), InputError);
+  EXPECT_THROW(read_grains_file<2>(path("f")), InputError) << "the last one is not complete";
   std::ofstream(path("g")) << snapshot("x y radius", "1 1 1\n", 1, 10);
   try {
-    read_grains_file(path("g"), {.step = 11});
+    read_grains_file<2>(path("g"), {.step = 11});
     FAIL() << "no error";
   } catch (const InputError& error) {
     EXPECT_EQ(std::string(error.what()), path("g") + ":10: no snapshot of step 11; the last is of step 10");
   }
   std::ofstream(path("t")) << "x,y,radius\n1,1,1\n";
-  EXPECT_THROW(read_grains_file(path("t"), {.step = 0}), InputError);
+  EXPECT_THROW(read_grains_file<2>(path("t"), {.step = 0}), InputError);
 }
 
 TEST_F(GrainsFileTest, ProblemsOfDumps) {
@@ -297,7 +297,7 @@ TEST_F(GrainsFileTest, ProblemsOfDumps) {
 }
 
 /// Numbers that need all 17 digits, including extreme ones.
-Moment awkward_moment() {
+Moment<2> awkward_moment() {
   Grains<2> grains;
   for (int k = 0; k < 50; ++k) {
     Grain<2> grain;
@@ -311,7 +311,7 @@ Moment awkward_moment() {
   return {1.0 / 3.0, 12345, {grains, {}}, {}};
 }
 
-void expect_same_bits(const std::vector<GrainRow>& rows, const Grains<2>& grains, std::int64_t first_id) {
+void expect_same_bits(const std::vector<GrainRow<2>>& rows, const Grains<2>& grains, std::int64_t first_id) {
   ASSERT_EQ(rows.size(), grains.size());
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const auto& row = rows[k];
@@ -333,10 +333,10 @@ void expect_same_bits(const std::vector<GrainRow>& rows, const Grains<2>& grains
 TEST_F(GrainsFileTest, ExportedDumpsReadBackTheSameBits) {
   const auto moment = awkward_moment();
   WholeFile file(path("grains.dump"));
-  add_grains_for_lammps(file, {0.0, 1, {}, {}}, {});  // a snapshot without grains before
-  add_grains_for_lammps(file, moment, {});
+  add_grains_for_lammps<2>(file, {0.0, 1, {}, {}}, {});  // a snapshot without grains before
+  add_grains_for_lammps<2>(file, moment, {});
   file.commit();
-  expect_same_bits(read_grains_file(path("grains.dump")).grains, *moment.grains, 1);
+  expect_same_bits(read_grains_file<2>(path("grains.dump")).grains, *moment.grains, 1);
 }
 
 TEST_F(GrainsFileTest, ExportedTablesReadBackTheSameBits) {
@@ -349,7 +349,7 @@ TEST_F(GrainsFileTest, ExportedTablesReadBackTheSameBits) {
   ASSERT_EQ(tables.size(), 1U);
   EXPECT_EQ(tables[0].name, "grains");
   write_csv(path("grains.csv"), reader, tables[0]);
-  expect_same_bits(read_grains_file(path("grains.csv")).grains, *moment.grains, 0);
+  expect_same_bits(read_grains_file<2>(path("grains.csv")).grains, *moment.grains, 0);
 }
 
 }  // namespace

@@ -66,7 +66,8 @@ struct FreeFallMethod final : KindOf<FreeFallMethod, MethodKind> {
   double automatic_step(const Scene&) const override { return step; }
   double time_step(const Scene&) const override { return step; }
   std::string describe(const Scene&) const override { return "paths            ballistic\n"; }
-  std::unique_ptr<Method<2>> make(const Scene& scene) const override {
+  using MethodKind::make;
+  std::unique_ptr<Method<2>> make(const Scene& scene, Dimension<2>) const override {
     return std::make_unique<FreeFall>(scene.gravity, step);
   }
 };
@@ -85,6 +86,7 @@ struct StairsBase final : KindOf<StairsBase, BaseKind> {
   }
   bool of_grains() const override { return true; }
   double reach(const Scene& scene) const override { return static_cast<double>(count) * scene.grains.diameter; }
+  using BaseKind::add_grains;
   void add_grains(const Scene& scene, Grains<2>& grains, std::int64_t& id) const override {
     for (std::int64_t k = 0; k < count; ++k) {
       auto grain = make_grain(scene, scene.grains.diameter);

@@ -13,8 +13,8 @@
 namespace repose {
 namespace {
 
-Record record_of(const std::string& method) {
-  Record record;
+Record<2> record_of(const std::string& method) {
+  Record<2> record;
   const auto text = method == "deposition"
                         ? "[method]\nkind = \"deposition\"\ncritical_angle = 30\n[base]\nkind = "
                           "\"contiguous\"\ncount = 4\n[source]\ncount = 3\n"
@@ -23,7 +23,7 @@ Record record_of(const std::string& method) {
   return record;
 }
 
-std::string summary_of(const Record& record) { return summary_text(record, Results{}); }
+std::string summary_of(const Record<2>& record) { return summary_text(record, Results<2>{}); }
 
 TEST(Measures, NamesAreUniqueAndHaveTheirObject) {
   std::set<std::string> names;
@@ -33,7 +33,7 @@ TEST(Measures, NamesAreUniqueAndHaveTheirObject) {
     if (dot == std::string::npos) continue;
     const auto* object = find_measure(measure.name.substr(0, dot));
     ASSERT_NE(object, nullptr) << measure.name;
-    EXPECT_EQ(object->kind, Measure::Kind::object) << measure.name;
+    EXPECT_EQ(object->kind, KnownMeasure::Kind::object) << measure.name;
   }
   EXPECT_GT(names.size(), 80U);
 }

@@ -19,14 +19,14 @@ const double row_height = std::sqrt(0.75);
 // Positions and radii of a track have single precision: 1e-6 for a pile of height 20, times the slope.
 constexpr double single = 1e-4;
 
-TrackedGrain tracked(std::int64_t id, double x, double y, bool in_heap = true) {
-  return {id, static_cast<float>(x), static_cast<float>(y), 0.5F, 0.0F, in_heap};
+TrackedGrain<2> tracked(std::int64_t id, double x, double y, bool in_heap = true) {
+  return {id, {static_cast<float>(x), static_cast<float>(y)}, 0.5F, 0.0F, in_heap};
 }
 
 /// Discs of diameter 1 in a triangular lattice: row k holds 21 - k of them, so both flanks rise at 60 degrees to the
 /// apex at x = 0, y = 0.5 + 20 sqrt(3)/2. The part x > 0 is widened by the factor `widening`.
-std::vector<TrackedGrain> pile(double widening = 1.0) {
-  std::vector<TrackedGrain> grains;
+std::vector<TrackedGrain<2>> pile(double widening = 1.0) {
+  std::vector<TrackedGrain<2>> grains;
   for (int row = 0; row <= top_row; ++row) {
     for (int k = 0; k <= top_row - row; ++k) {
       const double x = k - 0.5 * (top_row - row);
@@ -62,7 +62,7 @@ double depth_at(bool left, int layer) { return 0.5 * (1.0 + (left ? 1.0 : 2.0) *
 
 /// A track that starts with a pile. Grains that exchange positions move without changing the surface.
 struct Story {
-  Track track;
+  Track<2> track;
 
   explicit Story(std::size_t moments) {
     for (std::size_t k = 0; k < moments; ++k) track.push_back({interval * static_cast<double>(k), pile()});
@@ -73,8 +73,8 @@ struct Story {
       auto& first = track[later].grains[who(k, places[0])];
       for (std::size_t p = 1; p < places.size(); ++p) {
         auto& other = track[later].grains[who(k, places[p])];
-        std::swap(first.x, other.x);
-        std::swap(first.y, other.y);
+        std::swap(first.position[0], other.position[0]);
+        std::swap(first.position[1], other.position[1]);
       }
     }
   }
@@ -83,7 +83,7 @@ struct Story {
     const auto at = pile()[place_of_pile];
     const auto& grains = track[k].grains;
     for (std::size_t g = 0; g < grains.size(); ++g) {
-      if (grains[g].x == at.x && grains[g].y == at.y) return g;
+      if (grains[g].position[0] == at.position[0] && grains[g].position[1] == at.position[1]) return g;
     }
     ADD_FAILURE() << "nobody at place " << place_of_pile;
     return 0;
@@ -112,7 +112,7 @@ TEST(MotionExact, PlantedAvalanches) {
   // Interval 6: two grains, one too few. Interval 7: five grains move by 0.4, which is not enough.
   story.rotate(6, {place(5, false), place(9, false)});
   for (std::size_t k = 8; k < 12; ++k) {
-    for (int layer = 4; layer < 9; ++layer) story.track[k].grains[place(1, true, layer)].x += 0.4F;
+    for (int layer = 4; layer < 9; ++layer) story.track[k].grains[place(1, true, layer)].position[0] += 0.4F;
   }
   // Five grains are released, fall (from time 6 on) and come to rest inside the pile in interval 8, at 4.5.
   for (std::size_t k = 6; k < 12; ++k) {
@@ -203,9 +203,9 @@ TEST(MotionExact, PlantedBursts) {
 // The pile becomes wider on the right. The angles are those at the end, atan(sqrt(3)) and atan(sqrt(3)/2); the depths
 // are those at the start. The base is at height 1, which changes no result.
 TEST(MotionExact, DepthAtTheStartAnglesAtTheEnd) {
-  Track track{{0.0, pile()}, {interval, pile(2.0)}};
+  Track<2> track{{0.0, pile()}, {interval, pile(2.0)}};
   for (auto& moment : track) {
-    for (auto& grain : moment.grains) grain.y += 1.0F;
+    for (auto& grain : moment.grains) grain.position[1] += 1.0F;
   }
   auto chosen = settings();
   chosen.base_height = 1.0;
@@ -224,8 +224,8 @@ TEST(MotionExact, DepthAtTheStartAnglesAtTheEnd) {
 // In a box from 0 to 10, one grain is displaced by 0.2 across the side and has not moved; another is displaced by 0.7.
 // Without a flank line, the depth of a disc at the surface is its diameter.
 TEST(MotionExact, AcrossTheSideOfAPeriodicBox) {
-  const Track track{{0.0, {tracked(1, 9.9, 0.5), tracked(2, 9.8, 0.5)}},
-                    {interval, {tracked(1, 0.1, 0.5), tracked(2, 0.5, 0.5)}}};
+  const Track<2> track{{0.0, {tracked(1, 9.9, 0.5), tracked(2, 9.8, 0.5)}},
+                       {interval, {tracked(1, 0.1, 0.5), tracked(2, 0.5, 0.5)}}};
   Box<2> box;
   box.periodic = true;
   box.x_min = 0.0;
@@ -241,8 +241,8 @@ TEST(MotionExact, AcrossTheSideOfAPeriodicBox) {
 
 // The surface falls from 10 at x = 1 to 1 at x = 3. It passes below the disc at x = 1.9, whose depth is then 0.
 TEST(MotionExact, DepthIsNeverNegative) {
-  const Track track{{0.0, {tracked(1, 1.9, 9.5), tracked(2, 3.0, 0.5)}},
-                    {interval, {tracked(1, 5.0, 0.5), tracked(2, 3.0, 0.5)}}};
+  const Track<2> track{{0.0, {tracked(1, 1.9, 9.5), tracked(2, 3.0, 0.5)}},
+                       {interval, {tracked(1, 5.0, 0.5), tracked(2, 3.0, 0.5)}}};
   const auto motion = measure_motion(track, Box<2>{}, settings());
   ASSERT_EQ(motion.rows.size(), 1U);
   EXPECT_EQ(motion.rows[0].moved, 1U);

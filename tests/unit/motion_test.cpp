@@ -14,14 +14,14 @@ const double rise = std::sqrt(3.0) / 2.0;
 
 /// A lattice pile at 60 degrees with its apex at x = 0 and its lowest centres at y = rise; ids run row by row from the
 /// bottom left.
-TrackMoment pile(double time) {
-  TrackMoment moment{time, {}};
+TrackMoment<2> pile(double time) {
+  TrackMoment<2> moment{time, {}};
   for (int r = 0; r < rows; ++r) {
     for (int j = 0; j < rows - r; ++j) {
-      TrackedGrain grain;
+      TrackedGrain<2> grain;
       grain.id = static_cast<std::int64_t>(moment.grains.size());
-      grain.x = static_cast<float>(j + 0.5 * r - 0.5 * (rows - 1));
-      grain.y = static_cast<float>((r + 1) * rise);
+      grain.position[0] = static_cast<float>(j + 0.5 * r - 0.5 * (rows - 1));
+      grain.position[1] = static_cast<float>((r + 1) * rise);
       grain.radius = 0.5F;
       grain.kinetic_energy = 0.001F;
       grain.in_heap = true;
@@ -32,18 +32,18 @@ TrackMoment pile(double time) {
 }
 
 /// The pile at times 0, 2, ... 40.
-Track quiet() {
-  Track track;
+Track<2> quiet() {
+  Track<2> track;
   for (int k = 0; k <= 20; ++k) track.push_back(pile(2.0 * k));
   return track;
 }
 
 /// Moves the last `count` grains of row `r` (the right flank) by `shift` to the right, from time `from` on.
-void push_right(Track& track, int r, int count, std::size_t from, float shift) {
+void push_right(Track<2>& track, int r, int count, std::size_t from, float shift) {
   std::size_t end = 0;
   for (int k = 0; k <= r; ++k) end += static_cast<std::size_t>(rows - k);
   for (auto m = from; m < track.size(); ++m) {
-    for (auto k = end - static_cast<std::size_t>(count); k < end; ++k) track[m].grains[k].x += shift;
+    for (auto k = end - static_cast<std::size_t>(count); k < end; ++k) track[m].grains[k].position[0] += shift;
   }
 }
 
@@ -114,7 +114,7 @@ TEST(Motion, AnAvalancheMayLastUntilTheEnd) {
 TEST(Motion, TheSideIsThatOfTheStart) {
   auto track = quiet();
   for (auto m = std::size_t{5}; m < track.size(); ++m) {
-    for (std::size_t k = 0; k < 4; ++k) track[m].grains[k].x -= 1.0F;  // bottom left corner
+    for (std::size_t k = 0; k < 4; ++k) track[m].grains[k].position[0] -= 1.0F;  // bottom left corner
   }
   push_right(track, 0, 1, 5, 1.0F);
   const auto motion = measure_motion(track, {}, settings(5));
@@ -148,15 +148,15 @@ TEST(Motion, DepthIsTheNinetiethPercentile) {
 TEST(Motion, GrainsThatLandOrLeaveDoNotCount) {
   auto track = quiet();
   for (std::size_t m = 0; m < track.size(); ++m) {
-    TrackedGrain falling;
+    TrackedGrain<2> falling;
     falling.id = 1000;
-    falling.x = 8.0F;
-    falling.y = 60.0F - 2.0F * static_cast<float>(m);
+    falling.position[0] = 8.0F;
+    falling.position[1] = 60.0F - 2.0F * static_cast<float>(m);
     falling.radius = 0.5F;
     falling.kinetic_energy = 100.0F;
     falling.in_heap = m >= 10;
     track[m].grains.push_back(falling);
-    if (m > 10) track[m].grains.back().y = track[10].grains.back().y;
+    if (m > 10) track[m].grains.back().position[1] = track[10].grains.back().position[1];
   }
   track[15].grains.erase(track[15].grains.begin() + 3);
   const auto motion = measure_motion(track, {}, settings(1));
@@ -188,14 +188,14 @@ TEST(Motion, PeriodicSide) {
   box.periodic = true;
   box.x_min = -10.0;
   box.x_max = 10.0;
-  TrackedGrain grain;
-  grain.x = 9.9F;
+  TrackedGrain<2> grain;
+  grain.position[0] = 9.9F;
   grain.radius = 0.5F;
   grain.in_heap = true;
-  Track track = {{0.0, {grain}}, {1.0, {grain}}};
-  track[1].grains[0].x = -9.9F;
+  Track<2> track = {{0.0, {grain}}, {1.0, {grain}}};
+  track[1].grains[0].position[0] = -9.9F;
   EXPECT_EQ(measure_motion(track, box, settings(1)).rows[0].moved, 0U);
-  track[1].grains[0].x = -9.0F;
+  track[1].grains[0].position[0] = -9.0F;
   EXPECT_EQ(measure_motion(track, box, settings(1)).rows[0].moved, 1U);
 }
 

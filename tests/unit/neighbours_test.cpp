@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Repose developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/core/random.hpp"
+#include "repose/neighbours/near_pairs.hpp"
 #include "repose/neighbours/pair_list.hpp"
 
 #include <gtest/gtest.h>
@@ -70,18 +71,35 @@ void move(Grains<D>& grains, double dt) {
   for (auto& grain : grains.line) grain.position += grain.velocity * dt;
 }
 
+/// The axes along which a box is periodic; y in 3D alone.
+struct Wraps {
+  bool x = false;
+  bool y = false;
+};
+
+Wraps any_wraps() { return {*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()}; }
+
+/// A box about the origin, endless along the axes that do not wrap. Its depth is a little less than its width.
+template <int D>
+Box<D> box_of(double width, const Wraps& wraps) {
+  const auto half = [](bool periodic, double length) { return periodic ? 0.5 * length : 1e9; };
+  Box<D> box;
+  box.periodic = wraps.x;
+  box.x_max = half(wraps.x, width);
+  box.x_min = -box.x_max;
+  if constexpr (D == 3) {
+    box.periodic_y = wraps.y;
+    box.y_max = half(wraps.y, 0.9 * width);
+    box.y_min = -box.y_max;
+  }
+  return box;
+}
+
 /// Moves grains uniformly, rebuilds the list by its own rules, and compares it with brute force at every step.
 template <int D>
-void check_against_brute_force(std::uint64_t seed, int count, double width, bool periodic, double horizon,
+void check_against_brute_force(std::uint64_t seed, int count, double width, const Wraps& wraps, double horizon,
                                int large = 0) {
-  Box<D> box;
-  box.periodic = periodic;
-  box.x_min = -0.5 * width;
-  box.x_max = 0.5 * width;
-  if (!periodic) {
-    box.x_min = -1e9;
-    box.x_max = 1e9;
-  }
+  const auto box = box_of<D>(width, wraps);
   const double cutoff = 1.2;
   const double dt = 0.01;
   Grains<D> grains = random_grains<D>(seed, count, width, 12.0, large);
@@ -102,10 +120,10 @@ void check_against_brute_force(std::uint64_t seed, int count, double width, bool
 
 RC_GTEST_PROP(PairListProperty, MissesNoPair2D, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint64_t>();
-  const bool periodic = *rc::gen::arbitrary<bool>();
+  const auto wraps = any_wraps();
   const auto count = *rc::gen::inRange(1, 150);
   const auto width = *rc::gen::element(4.0, 7.0, 12.0, 30.0);
-  check_against_brute_force<2>(seed, count, width, periodic, *rc::gen::element(0.0, 0.1, 1.0));
+  check_against_brute_force<2>(seed, count, width, wraps, *rc::gen::element(0.0, 0.1, 1.0));
   RC_ASSERT(!::testing::Test::HasFailure());
 }
 
@@ -113,21 +131,54 @@ RC_GTEST_PROP(PairListProperty, MissesNoPair3D, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint64_t>();
   const auto count = *rc::gen::inRange(1, 150);
   const auto width = *rc::gen::element(4.0, 7.0, 12.0);
-  check_against_brute_force<3>(seed, count, width, *rc::gen::arbitrary<bool>(), *rc::gen::element(0.0, 0.1));
+  check_against_brute_force<3>(seed, count, width, any_wraps(), *rc::gen::element(0.0, 0.1));
   RC_ASSERT(!::testing::Test::HasFailure());
 }
 
 // A few large grains are searched for apart from the cells, which are as small as most grains.
 RC_GTEST_PROP(PairListProperty, MissesNoPairOfLargeGrains, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint64_t>();
-  const bool periodic = *rc::gen::arbitrary<bool>();
+  const auto wraps = any_wraps();
   const auto count = *rc::gen::inRange(20, 150);
   const auto large = *rc::gen::inRange(1, 12);
   const auto width = *rc::gen::element(20.0, 40.0);
   const auto horizon = *rc::gen::element(0.0, 0.1);
-  check_against_brute_force<2>(seed, count, width, periodic, horizon, large);
-  check_against_brute_force<3>(seed, count, width, periodic, horizon, large);
+  check_against_brute_force<2>(seed, count, width, wraps, horizon, large);
+  check_against_brute_force<3>(seed, count, width, wraps, horizon, large);
   RC_ASSERT(!::testing::Test::HasFailure());
+}
+
+// The search for pairs among places visits every pair in reach once, across the periodic boundaries too; boxes are as
+// narrow as one, two and three cells.
+template <int D>
+void check_near_pairs(double width, const Wraps& wraps) {
+  const double reach = 0.9;
+  const auto box = box_of<D>(width, wraps);
+  std::vector<Vec<D>> places;
+  for (const auto& grain : random_grains<D>(3, 250, 4.0, 0.0).line) places.push_back(box.wrapped(grain.position));
+  std::map<IdPair, int> visits;
+  for_near_pairs(places, box, reach, [&](std::uint32_t i, std::uint32_t j) { ++visits[std::minmax(i, j)]; });
+  int near = 0;
+  for (std::uint32_t i = 0; i < places.size(); ++i) {
+    EXPECT_FALSE(visits.contains({i, i}));
+    for (std::uint32_t j = i + 1; j < places.size(); ++j) {
+      const auto found = visits.find({i, j});
+      EXPECT_LE(found == visits.end() ? 0 : found->second, 1);
+      if (magnitude(separation(places[i], places[j], box)) >= reach) continue;
+      ++near;
+      EXPECT_TRUE(found != visits.end()) << i << ", " << j;
+    }
+  }
+  EXPECT_GT(near, 200);
+}
+
+TEST(NearPairs, VisitEveryPairOnce) {
+  for (const double width : {1.7, 2.1, 3.0, 4.0}) {
+    for (const auto& wraps : {Wraps{false, false}, Wraps{true, false}, Wraps{false, true}, Wraps{true, true}}) {
+      check_near_pairs<2>(width, wraps);
+      check_near_pairs<3>(width, wraps);
+    }
+  }
 }
 
 // Slip displacements stay with their pair through any reordering. In 3D the vector changes sign if the pair is stored

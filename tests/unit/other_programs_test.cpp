@@ -19,9 +19,9 @@ class OtherProgramsTest : public ::testing::Test {
   const testing::TemporaryFolder folder_;
   const std::string path_ = folder_.path("grains");
 
-  GrainsFile read(const std::string& text, const GrainsFileOptions& options = {}) const {
+  GrainsFile<2> read(const std::string& text, const GrainsFileOptions& options = {}) const {
     std::ofstream(path_, std::ios::binary) << text;
-    return read_grains_file(path_, options);
+    return read_grains_file<2>(path_, options);
   }
   std::string refused(const std::string& text) const {
     try {

@@ -138,8 +138,8 @@ TEST(FindPipe, TwoUprightWallsAndAFloor) {
 }
 
 /// A record of one row whose slices have the stresses of Janssen's law.
-Record janssen_record(const std::string& direction, double ratio, double friction) {
-  Record record;
+Record<2> janssen_record(const std::string& direction, double ratio, double friction) {
+  Record<2> record;
   record.scene = scene_from_text(
       "[[grain]]\nposition = [0, 3]\n[stop]\ntime = 1\n[output]\nslices = 40\n[[plane]]\nname = \"l\"\npoint = [-3, "
       "0]\nnormal = [1, 0]\n"
@@ -201,7 +201,7 @@ TEST(ColumnState, FindsTheLawOfJanssen) {
 
 // A floor that rises: a slice follows once it has moved half as far. The upper half of the column sets out later.
 TEST(ColumnState, FollowsAFloorThatMoves) {
-  Record record;
+  Record<2> record;
   record.scene = scene_from_text(
       "[[grain]]\nposition = [0, 3]\n[stop]\ntime = 9\n[output]\nwindow = 1\nslices = 4\n[[plane]]\nname = "
       "\"l\"\npoint = [-1, "

@@ -87,8 +87,8 @@ struct Planted {
     }
   }
 
-  Record state() const {
-    Record record;
+  Record<2> state() const {
+    Record<2> record;
     record.scene = plan.points[0].scene;
     Grains<2> grains;
     for (const double x : {0.0, 5.0}) {

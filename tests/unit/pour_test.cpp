@@ -23,7 +23,7 @@ constexpr TimeSteps leapfrog{0.001, true};
 const SourceView no_apex{[] { return 0.0; }, {}};
 
 /// Releases all grains that are due up to a time.
-Grains<2> released_by(Pour& pour, double time) {
+Grains<2> released_by(Pour<2>& pour, double time) {
   Grains<2> grains;
   while (pour.due() <= time) {
     Grains<2> one;
@@ -36,7 +36,7 @@ Grains<2> released_by(Pour& pour, double time) {
 // The count of the paper is 0.62 t + 1 grains by time t; here the rate is 2.
 TEST(Pour, CountGrowsWithTimeFromOne) {
   const auto scene = pouring("height = 50.0");
-  Pour pour(scene, *scene.source.as<PourSource>(), leapfrog, 10);
+  Pour<2> pour(scene, *scene.source.as<PourSource>(), leapfrog, 10);
   EXPECT_EQ(released_by(pour, 0.0).size(), 1U);
   EXPECT_EQ(released_by(pour, 10.2).size(), 20U);
   EXPECT_EQ(pour.released(), 21);
@@ -49,7 +49,7 @@ TEST(Pour, CountGrowsWithTimeFromOne) {
 // half a step later the speed is g dt / 2.
 TEST(Pour, PlacesAndSizes) {
   const auto scene = pouring("height = 50.0, half_width = 4.0, x = 1.0");
-  Pour pour(scene, *scene.source.as<PourSource>(), leapfrog, 0);
+  Pour<2> pour(scene, *scene.source.as<PourSource>(), leapfrog, 0);
   const auto grains = released_by(pour, 1e9);
   double x = 0.0;
   double x2 = 0.0;
@@ -75,7 +75,7 @@ TEST(Pour, PlacesAndSizes) {
 // No grain is released in reach of another: if the opening is full, the next grain waits.
 TEST(Pour, WaitsForRoom) {
   const auto scene = pouring("height = 50.0, half_width = 2.0");
-  Pour pour(scene, *scene.source.as<PourSource>(), leapfrog, 0);
+  Pour<2> pour(scene, *scene.source.as<PourSource>(), leapfrog, 0);
   Grains<2> grains;
   double time = 5.0;  // 11 grains are due
   EXPECT_TRUE(pour.release(grains, time, no_apex));

@@ -32,6 +32,8 @@ Contact<2> floor_contact(std::int64_t id, double force) {
   return contact;
 }
 
+const Vec<2> down{{0.0, -1.0}};
+
 // Weight 2, gravity 1: one grain of three moves, one is pressed by a load, one by half of its weight.
 TEST(Rest, UnrestIsTheLargestOfAllGrains) {
   Grains<2> grains;
@@ -41,13 +43,13 @@ TEST(Rest, UnrestIsTheLargestOfAllGrains) {
   Contacts<2> contacts;
   contacts.list = {floor_contact(0, 2.0), floor_contact(1, 2.0), floor_contact(2, 3.0)};
   const Load<2> load{2, Vec<2>{{0.0, -1.0}}};
-  const auto with_load = largest_unrest(grains, contacts, {load}, 1.0, 1.0);
+  const auto with_load = largest_unrest(grains, contacts, {load}, down, 1.0);
   // v^2/2 + (w r)^2/4 for a disc.
   EXPECT_DOUBLE_EQ(with_load.kinetic_energy, 0.5 * 0.09 + 0.25 * 0.16);
   EXPECT_DOUBLE_EQ(with_load.net_force, 0.0);
-  EXPECT_DOUBLE_EQ(largest_unrest(grains, contacts, {}, 1.0, 1.0).net_force, 0.5);
+  EXPECT_DOUBLE_EQ(largest_unrest(grains, contacts, {}, down, 1.0).net_force, 0.5);
   contacts.list.pop_back();
-  EXPECT_DOUBLE_EQ(largest_unrest(grains, contacts, {}, 1.0, 1.0).net_force, 1.0);
+  EXPECT_DOUBLE_EQ(largest_unrest(grains, contacts, {}, down, 1.0).net_force, 1.0);
 }
 
 TEST(Rest, MustLastForTheWindow) {
@@ -84,7 +86,7 @@ TEST(Rest, ANumberThatIsNoneIsNoRest) {
   Grains<2> grains;
   grains.add(disc(0.0, std::numeric_limits<double>::quiet_NaN()), 0);
   grains.add(disc(2.0, 0.0), 1);
-  EXPECT_EQ(largest_unrest(grains, {}, {}, 1.0, 1.0).kinetic_energy, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(largest_unrest<2>(grains, {}, {}, down, 1.0).kinetic_energy, std::numeric_limits<double>::infinity());
 }
 
 }  // namespace

@@ -92,7 +92,9 @@ source = { count = 333 }
 output = { series = 50 }
 )"}};
 
-Simulation make(const Case& one, int threads) { return Simulation(scene_from_text(one.scene, "scene.toml"), threads); }
+Simulation<2> make(const Case& one, int threads) {
+  return Simulation(scene_from_text(one.scene, "scene.toml"), threads);
+}
 
 std::string bytes_of(const std::vector<SeriesRow>& rows) {
   static_assert(sizeof(SeriesRow) == 8 * 34, "no padding, whose bytes are arbitrary");
@@ -105,7 +107,7 @@ struct Seen {
   std::vector<double> heights;
   std::vector<double> forces;
 
-  void observe(const Simulation& simulation) {
+  void observe(const Simulation<2>& simulation) {
     double height = 0.0;
     for (const auto k : by_id(simulation.grains())) height += simulation.grains().line[k].position[1];
     double force = 0.0;
@@ -116,7 +118,7 @@ struct Seen {
   }
 };
 
-void expect_same(const Record& a, const Record& b, const std::string& how) {
+void expect_same(const Record<2>& a, const Record<2>& b, const std::string& how) {
   EXPECT_EQ(a.facts.state_hash, b.facts.state_hash) << how;
   EXPECT_EQ(a.facts.time, b.facts.time) << how;
   EXPECT_EQ(a.facts.steps, b.facts.steps) << how;
@@ -144,7 +146,7 @@ void expect_same(const Record& a, const Record& b, const std::string& how) {
 
 /// Advances in pieces of random length, from a fraction of a step to many rows, until the run stops or a time is
 /// reached.
-void advance_in_pieces(Simulation& simulation, double until, std::uint64_t seed) {
+void advance_in_pieces(Simulation<2>& simulation, double until, std::uint64_t seed) {
   double time = simulation.time();
   for (std::uint64_t k = 0; time < until; ++k) {
     const double size = uniform(seed, Purpose::release_position, k);
@@ -172,8 +174,8 @@ TEST(Simulation, PiecesAndObserversLeaveTheBits) {
       auto pieces = make(one, threads);
       Seen often;
       Seen seldom;
-      pieces.observe_every(1.7 * pieces.time_step(), [&](const Simulation& s) { often.observe(s); });
-      pieces.observe_every(37.0 * pieces.time_step(), [&](const Simulation& s) { seldom.observe(s); });
+      pieces.observe_every(1.7 * pieces.time_step(), [&](const Simulation<2>& s) { often.observe(s); });
+      pieces.observe_every(37.0 * pieces.time_step(), [&](const Simulation<2>& s) { seldom.observe(s); });
       advance_in_pieces(pieces, forever, static_cast<std::uint64_t>(threads));
       expect_same(record, pieces.record(), std::to_string(threads) + " threads, in pieces");
       const auto copied = contacts_of(record).size;
@@ -198,12 +200,12 @@ TEST(Simulation, PiecesAcrossACheckpointLeaveTheBits) {
     auto whole = make(one, 1);
     Seen undisturbed;
     const double interval = 11.0 * whole.time_step();
-    whole.observe_every(interval, [&](const Simulation& s) { undisturbed.observe(s); });
+    whole.observe_every(interval, [&](const Simulation<2>& s) { undisturbed.observe(s); });
     whole.run();
     for (const double part : {0.0, 0.21, 0.777}) {
       auto first = make(one, 2);
       Seen seen;
-      first.observe_every(interval, [&](const Simulation& s) { seen.observe(s); });
+      first.observe_every(interval, [&](const Simulation<2>& s) { seen.observe(s); });
       advance_in_pieces(first, part * whole.time(), 5);
       first.advance(part * whole.time());
       testing::MemoryArchive archive;
@@ -213,7 +215,7 @@ TEST(Simulation, PiecesAcrossACheckpointLeaveTheBits) {
       second.exchange(archive);
       second.restored(first.track());
       EXPECT_EQ(second.time(), first.time());
-      second.observe_every(interval, [&](const Simulation& s) { seen.observe(s); });
+      second.observe_every(interval, [&](const Simulation<2>& s) { seen.observe(s); });
       advance_in_pieces(second, forever, 6);
       expect_same(whole.record(), second.record(), "a checkpoint at " + std::to_string(first.time()));
       EXPECT_EQ(seen.times, undisturbed.times);
@@ -264,7 +266,7 @@ TEST(Simulation, AnObserverThatThrowsLeavesTheRunSound) {
     auto simulation = make(one, 1);
     const double last = whole.time();
     int thrown = 0;
-    simulation.observe_every(whole.time_step(), [&](const Simulation& s) {
+    simulation.observe_every(whole.time_step(), [&](const Simulation<2>& s) {
       if (s.steps() % 7 == 0 || s.time() == last) throw std::runtime_error("enough");
     });
     while (simulation.status() == Status::running) {
@@ -282,7 +284,7 @@ TEST(Simulation, AnObserverThatThrowsLeavesTheRunSound) {
 TEST(Simulation, ObserversNeedAnInterval) {
   auto simulation = make(cases[0], 1);
   for (const double interval : {0.0, -1.0, std::nan("")}) {
-    EXPECT_THROW(simulation.observe_every(interval, [](const Simulation&) {}), InputError);
+    EXPECT_THROW(simulation.observe_every(interval, [](const Simulation<2>&) {}), InputError);
   }
 }
 

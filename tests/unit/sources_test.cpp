@@ -48,7 +48,7 @@ Scene raining(const std::string& more) {
 // At most 1 + t rate grains are released by time t, and all of them at the next release unless they wait. None overlap.
 TEST(Rain, GrainsOfOneMomentDoNotOverlap) {
   const auto scene = raining("velocity = [0.5, -2.0]");
-  Rain rain(scene, *scene.source.as<RainSource>(), leapfrog, 7);
+  Rain<2> rain(scene, *scene.source.as<RainSource>(), leapfrog, 7);
   Grains<2> grains;
   std::size_t most = 0;
   long step = 0;
@@ -80,8 +80,8 @@ TEST(Rain, GrainsOfOneMomentDoNotOverlap) {
 // A source that is destroyed and made again with the same state continues with the same grains: nothing else is random.
 TEST(Rain, GrainsDependOnTheirNumberAlone) {
   const auto scene = raining("half_width = 20");
-  Rain one(scene, *scene.source.as<RainSource>(), leapfrog, 0);
-  Rain other(scene, *scene.source.as<RainSource>(), leapfrog, 0);
+  Rain<2> one(scene, *scene.source.as<RainSource>(), leapfrog, 0);
+  Rain<2> other(scene, *scene.source.as<RainSource>(), leapfrog, 0);
   Grains<2> all;
   Grains<2> late;
   one.release(all, 1.0, no_apex);
@@ -98,7 +98,7 @@ TEST(Rain, GrainsDependOnTheirNumberAlone) {
 
 TEST(Rain, HeightAboveTheApex) {
   const auto scene = raining("height_above = \"apex\"");
-  Rain rain(scene, *scene.source.as<RainSource>(), leapfrog, 0);
+  Rain<2> rain(scene, *scene.source.as<RainSource>(), leapfrog, 0);
   Grains<2> grains;
   rain.release(grains, 0.0, {[] { return 3.25; }, {}});
   ASSERT_EQ(grains.size(), 1U);
@@ -154,7 +154,7 @@ TEST(GrainDraw, FractionsByNumberAndByMass) {
                         "scene.toml");
     EXPECT_EQ(scene.smallest_diameter(), 0.5);
     EXPECT_EQ(scene.largest_diameter(), 2.0);
-    const GrainDraw draw(scene, Purpose::grain_species, Purpose::grain_size);
+    const GrainDraw<2> draw(scene, Purpose::grain_species, Purpose::grain_size);
     double heavy = 0.0;
     constexpr int n = 20000;
     for (std::uint64_t k = 0; k < n; ++k) {

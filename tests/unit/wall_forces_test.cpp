@@ -75,7 +75,7 @@ TEST(WallMoments, LeverTimesForce) {
 // Rows of 1 T; the means are over the last three, which cover a window of 2.5. Pressure is positive into the wall,
 // shear along z x n: to the left for a floor.
 TEST(WallForces, MeansOverTheRowsThatCoverTheWindow) {
-  Record record;
+  Record<2> record;
   record.scene = scene_from_text(
       "stop = { time = 9 }\noutput = { window = 2.5 }\n[[plane]]\nname = \"floor\"\npoint = [0, 0]\nnormal = [0, 1]\n"
       "[[grain]]\nposition = [0, 1]\n",

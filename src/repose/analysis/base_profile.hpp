@@ -12,11 +12,13 @@ namespace repose {
 /// of each grain that it carries, at one time.
 struct BaseProfile {
   std::vector<std::int64_t> id;
-  std::vector<double> x;       ///< [L]
-  std::vector<double> normal;  ///< [grain weights] positive downward
-  std::vector<double> shear;   ///< [grain weights] positive to the right
-  double window_start = 0.0;   ///< [T] start of the interval
-  double window_end = 0.0;     ///< [T] its end
+  std::vector<double> x;        ///< [L]
+  std::vector<double> normal;   ///< [grain weights] positive downward
+  std::vector<double> shear;    ///< [grain weights] positive to the right
+  std::vector<double> y;        ///< [L] in three dimensions, else empty
+  std::vector<double> shear_y;  ///< [grain weights] along y in three dimensions, else empty
+  double window_start = 0.0;    ///< [T] start of the interval
+  double window_end = 0.0;      ///< [T] its end
 };
 
 /// The dip of the load under the apex.

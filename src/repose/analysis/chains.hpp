@@ -14,10 +14,12 @@ namespace repose {
 /// A connected part of the network of strong contacts.
 struct Chain {
   std::size_t contacts = 0;
-  std::size_t grains = 0;      ///< including base grains and other fixed grains
-  double direction_deg = 0.0;  ///< axis of the largest eigenvalue of <n n> over its contacts, in (-90, 90]
-  double width = 0.0;          ///< [L] width of the box around the centres of its grains
-  double height = 0.0;         ///< [L] height of that box
+  std::size_t grains = 0;  ///< including base grains and other fixed grains
+  /// Axis of the largest eigenvalue of <n n> over its contacts, from the horizontal, in (-90, 90]; in 3D above it, in
+  /// [0, 90].
+  double direction_deg = 0.0;
+  double width = 0.0;   ///< [L] largest horizontal distance between the centres of its grains
+  double height = 0.0;  ///< [L] largest vertical distance
 };
 
 struct Chains {
@@ -29,6 +31,8 @@ struct Chains {
 /// above this mean are strong. Strong contacts that share a moving grain belong to one chain; fixed grains and walls
 /// do not link chains, since they support everything. The extent of a chain is measured along its contacts, so a chain
 /// that crosses the side of a periodic box is not as wide as the box.
-Chains find_chains(const Grains<2>& grains, const Contacts<2>& contacts, double threshold, const Box<2>& box);
+/// Validated by tests/unit/chains_test.cpp and, in 3D, tests/unit/sphere_forces_test.cpp.
+template <int D>
+Chains find_chains(const Grains<D>& grains, const Contacts<D>& contacts, double threshold, const Box<D>& box);
 
 }  // namespace repose

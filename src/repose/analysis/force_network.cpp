@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/analysis/force_network.hpp"
 
+#include "repose/analysis/principal_axes.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <type_traits>
 #include <unordered_map>
 
 namespace repose {
@@ -20,24 +23,49 @@ std::unordered_map<std::int64_t, std::size_t> places(const Grains<D>& grains) {
   return place;
 }
 
-}  // namespace
-
-ForceNetwork measure_force_network(const Grains<2>& grains, const Contacts<2>& contacts,
-                                   const std::vector<bool>& in_heap, double threshold) {
-  ForceNetwork network;
-  const auto place = places(grains);
-  std::vector<std::size_t> partners(grains.size(), 0);
+/// The sum of n n over contacts in the plane.
+struct PlaneFabric {
   double xx = 0.0;
   double yy = 0.0;
   double xy = 0.0;
+
+  void add_square(const Vec<2>& n) {
+    xx += n[0] * n[0];
+    yy += n[1] * n[1];
+    xy += n[0] * n[1];
+  }
+};
+
+void set_fabric(ForceNetwork& network, const PlaneFabric& sum, double count) {
+  const double xx = sum.xx;
+  const double yy = sum.yy;
+  const double xy = sum.xy;
+  network.anisotropy = 2.0 * std::hypot(xx - yy, 2.0 * xy) / count;
+  const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy) * 180.0 / std::numbers::pi;
+  network.direction_deg = angle > -90.0 ? angle : 90.0;  // rounding may put a vertical axis at -90
+}
+
+void set_fabric(NetworkOfForces<3>& network, SymmetricTensor sum, double count) {
+  sum *= 1.0 / count;
+  network.anisotropy = deviator(sum);
+  network.direction_deg = inclination_deg(principal_axes(sum).axis[0]);
+}
+
+}  // namespace
+
+template <int D>
+NetworkOfForces<D> measure_force_network(const Grains<D>& grains, const Contacts<D>& contacts,
+                                         const std::vector<bool>& in_heap, double threshold) {
+  NetworkOfForces<D> network;
+  const auto place = places(grains);
+  std::vector<std::size_t> partners(grains.size(), 0);
+  std::conditional_t<D == 2, PlaneFabric, SymmetricTensor> fabric;
   for (const auto& contact : contacts.list) {
     if (!(std::fabs(contact.normal_force) > threshold)) continue;
     ++network.contacts;
     ++partners[place.at(contact.first)];
     if (contact.second >= 0) ++partners[place.at(contact.second)];
-    xx += contact.normal[0] * contact.normal[0];
-    yy += contact.normal[1] * contact.normal[1];
-    xy += contact.normal[0] * contact.normal[1];
+    fabric.add_square(contact.normal);
   }
   std::size_t grains_counted = 0;
   std::size_t ends = 0;
@@ -45,19 +73,14 @@ ForceNetwork measure_force_network(const Grains<2>& grains, const Contacts<2>& c
     if (!in_heap[k]) continue;
     ++grains_counted;
     ends += partners[k];
-    network.connectivity[std::min<std::size_t>(partners[k], 6)] += 1.0;
+    network.connectivity[std::min(partners[k], most_contacts<D>)] += 1.0;
   }
   if (grains_counted > 0) {
     const auto count = static_cast<double>(grains_counted);
     network.coordination = static_cast<double>(ends) / count;
     for (auto& fraction : network.connectivity) fraction /= count;
   }
-  if (network.contacts > 0) {
-    const auto count = static_cast<double>(network.contacts);
-    network.anisotropy = 2.0 * std::hypot(xx - yy, 2.0 * xy) / count;
-    const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy) * 180.0 / std::numbers::pi;
-    network.direction_deg = angle > -90.0 ? angle : 90.0;  // rounding may put a vertical axis at -90
-  }
+  if (network.contacts > 0) set_fabric(network, fabric, static_cast<double>(network.contacts));
   return network;
 }
 
@@ -110,9 +133,16 @@ double max_overlap(const Contacts<D>& contacts) {
   return deepest;
 }
 
+template ForceNetwork measure_force_network(const Grains<2>&, const Contacts<2>&, const std::vector<bool>&, double);
+template NetworkOfForces<3> measure_force_network(const Grains<3>&, const Contacts<3>&, const std::vector<bool>&,
+                                                  double);
 template std::vector<Vec<2>> net_forces(const Grains<2>&, const Contacts<2>&, const Vec<2>&);
+template std::vector<Vec<3>> net_forces(const Grains<3>&, const Contacts<3>&, const Vec<3>&);
 template double mean_normal_force(const Contacts<2>&);
+template double mean_normal_force(const Contacts<3>&);
 template double force_residual(const Grains<2>&, const Contacts<2>&, const Vec<2>&);
+template double force_residual(const Grains<3>&, const Contacts<3>&, const Vec<3>&);
 template double max_overlap(const Contacts<2>&);
+template double max_overlap(const Contacts<3>&);
 
 }  // namespace repose

@@ -26,10 +26,39 @@ double axis_deg(const Vec<2>& normal) {
   return folded < 180.0 ? folded : 0.0;
 }
 
+/// Bins of the directions of contacts.
+template <int D>
+struct Directions;
+
+template <>
+struct Directions<2> {
+  static constexpr std::size_t bins = 36;
+  static constexpr double width = 180.0 / bins;  // [deg]
+  static constexpr auto centres = &ForceStatistics::direction_deg;
+
+  static std::size_t bin(const Vec<2>& normal) {
+    return static_cast<std::size_t>(axis_deg(normal) / width + 0.5) % bins;
+  }
+  static double centre(std::size_t bin) { return static_cast<double>(bin) * width; }
+};
+
+template <>
+struct Directions<3> {
+  static constexpr std::size_t bins = 20;
+  static constexpr double width = 1.0 / bins;
+  static constexpr auto centres = &ForceStatistics::direction_cosine;
+
+  static std::size_t bin(const Vec<3>& normal) {
+    return std::min(static_cast<std::size_t>(std::fabs(normal[2]) / width), bins - 1);
+  }
+  static double centre(std::size_t bin) { return (static_cast<double>(bin) + 0.5) * width; }
+};
+
 }  // namespace
 
-std::optional<ForceStatistics> measure_force_statistics(const Contacts<2>& contacts, double threshold) {
-  std::vector<const Contact<2>*> counting;
+template <int D>
+std::optional<ForceStatistics> measure_force_statistics(const Contacts<D>& contacts, double threshold) {
+  std::vector<const Contact<D>*> counting;
   for (const auto& contact : contacts.list) {
     if (contact.normal_force > threshold && std::isfinite(contact.normal_force)) counting.push_back(&contact);
   }
@@ -51,15 +80,13 @@ std::optional<ForceStatistics> measure_force_statistics(const Contacts<2>& conta
   // No contact counts below the threshold: a bin that began at 0 would seem to hold too few.
   const double start = std::max(0.0, threshold) / statistics.mean;
   const auto bins = static_cast<std::size_t>((range - start) / statistics.bin_width) + 1;
-  constexpr std::size_t direction_bins = 36;
-  constexpr double direction_width = 180.0 / direction_bins;
   std::vector<double> counts(bins, 0.0);
-  std::vector<double> all(direction_bins, 0.0);
-  std::vector<double> strong(direction_bins, 0.0);
+  std::vector<double> all(Directions<D>::bins, 0.0);
+  std::vector<double> strong(Directions<D>::bins, 0.0);
   for (const auto* contact : counting) {
     const double f = contact->normal_force / statistics.mean;
     counts[std::min(static_cast<std::size_t>((f - start) / statistics.bin_width), bins - 1)] += 1.0;
-    const auto direction = static_cast<std::size_t>(axis_deg(contact->normal) / direction_width + 0.5) % direction_bins;
+    const auto direction = Directions<D>::bin(contact->normal);
     all[direction] += 1.0;
     if (contact->normal_force * n > sum) {  // as in find_chains
       strong[direction] += 1.0;
@@ -74,12 +101,14 @@ std::optional<ForceStatistics> measure_force_statistics(const Contacts<2>& conta
     statistics.f.push_back(start + (static_cast<double>(k) + 0.5) * statistics.bin_width);
     statistics.error.push_back(std::sqrt(counts[k]) / (n * statistics.bin_width));
   }
-  statistics.direction_all = densities(all, direction_width);
-  statistics.direction_strong = densities(strong, direction_width);
-  for (std::size_t k = 0; k < direction_bins; ++k) {
-    statistics.direction_deg.push_back(static_cast<double>(k) * direction_width);
-  }
+  statistics.direction_all = densities(all, Directions<D>::width);
+  statistics.direction_strong = densities(strong, Directions<D>::width);
+  auto& centres = statistics.*Directions<D>::centres;
+  for (std::size_t k = 0; k < Directions<D>::bins; ++k) centres.push_back(Directions<D>::centre(k));
   return statistics;
 }
+
+template std::optional<ForceStatistics> measure_force_statistics(const Contacts<2>&, double);
+template std::optional<ForceStatistics> measure_force_statistics(const Contacts<3>&, double);
 
 }  // namespace repose

@@ -20,8 +20,11 @@ struct ForceStatistics {
   /// Centres of bins of 5 degrees in [0, 180), from the horizontal. Lattices have contacts at multiples of 15 degrees,
   /// which are centres, not edges; the first bin is centred on the horizontal.
   std::vector<double> direction_deg;
-  std::vector<double> direction_all;     ///< [1/deg] probability density over all these contacts
-  std::vector<double> direction_strong;  ///< [1/deg] over those above the mean force; zero if there are none
+  /// In 3D instead: centres of 20 bins of |cos(theta)| in [0, 1], theta the angle of the normal from the vertical. They
+  /// cover equal solid angles, so that the density is 1 everywhere for isotropic directions.
+  std::vector<double> direction_cosine;
+  std::vector<double> direction_all;     ///< [1/deg], in 3D []: probability density over all these contacts
+  std::vector<double> direction_strong;  ///< likewise over those above the mean force; zero if there are none
 
   double sliding_fraction = 0.0;  ///< fraction of the contacts that are at the Coulomb limit
   double strong_fraction = 0.0;   ///< fraction of the contacts above the mean force
@@ -29,6 +32,8 @@ struct ForceStatistics {
 
 /// Measures the distributions over contacts with a finite normal force above `threshold` [M L/T^2]; none without such a
 /// contact. Bins of f are 0.1 wide, or wider if the largest force would need more than 1000 of them.
-std::optional<ForceStatistics> measure_force_statistics(const Contacts<2>& contacts, double threshold);
+/// Validated by tests/unit/force_statistics_exact_test.cpp and, in 3D, tests/unit/sphere_forces_test.cpp.
+template <int D = 2>
+std::optional<ForceStatistics> measure_force_statistics(const Contacts<D>& contacts, double threshold);
 
 }  // namespace repose

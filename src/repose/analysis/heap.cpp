@@ -142,6 +142,8 @@ HeapShape measure_heap(const Grains<D>& grains, const std::vector<bool>& in_heap
 }
 
 template std::vector<bool> supported(const Grains<2>&, const Contacts<2>&);
+template std::vector<bool> supported(const Grains<3>&, const Contacts<3>&);
 template HeapShape measure_heap(const Grains<2>&, const std::vector<bool>&, double, double);
+template HeapShape measure_heap(const Grains<3>&, const std::vector<bool>&, double, double);
 
 }  // namespace repose

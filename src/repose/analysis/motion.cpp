@@ -20,12 +20,12 @@ struct Move {
   bool left = false;
 };
 
-HeapShape shape_of(const TrackMoment& moment, const MotionSettings& settings) {
+HeapShape shape_of(const TrackMoment<2>& moment, const MotionSettings& settings) {
   Grains<2> grains;
   std::vector<bool> in_heap;
   for (const auto& tracked : moment.grains) {
     Grain<2> grain;
-    grain.position = {{tracked.x, tracked.y}};
+    grain.position = {{tracked.position[0], tracked.position[1]}};
     grain.radius = tracked.radius;
     grain.mass = 1.0;
     grain.inverse_mass = 1.0;
@@ -46,7 +46,7 @@ double layer_depth(const std::vector<Move>& moves) {
 }
 
 /// The row of one interval. Adds the grains that moved to `moves`.
-MotionRow compare(const TrackMoment& before, const TrackMoment& after, const HeapShape& shape, const Box<2>& box,
+MotionRow compare(const TrackMoment<2>& before, const TrackMoment<2>& after, const HeapShape& shape, const Box<2>& box,
                   const MotionSettings& settings, std::vector<Move>& moves) {
   MotionRow row;
   row.start = before.time;
@@ -58,8 +58,8 @@ MotionRow compare(const TrackMoment& before, const TrackMoment& after, const Hea
     if (partner->id != now.id || !partner->in_heap || !now.in_heap) continue;
     ++row.grains;
     row.kinetic_energy += now.kinetic_energy;
-    const Vec<2> from{{partner->x, partner->y}};
-    const Vec<2> to{{now.x, now.y}};
+    const Vec<2> from{{partner->position[0], partner->position[1]}};
+    const Vec<2> to{{now.position[0], now.position[1]}};
     if (!(magnitude(separation(to, from, box)) > settings.moved)) continue;
     const double lowest = from[1] - partner->radius - settings.base_height;
     const bool left = from[0] < shape.apex_x;
@@ -111,7 +111,7 @@ void add(std::vector<Event>& events, Event event) {
 
 }  // namespace
 
-Motion measure_motion(const Track& track, const Box<2>& box, const MotionSettings& settings) {
+Motion measure_motion(const Track<2>& track, const Box<2>& box, const MotionSettings& settings) {
   Motion motion;
   if (track.size() < 2) return motion;
   std::vector<std::vector<Move>> moves(track.size() - 1);

@@ -60,6 +60,6 @@ struct Motion {
 /// Measures the motion in a heap while it grows. The depth of a move is the depth of the grain's lowest point below the
 /// surface, perpendicular to the flank, at the start of the interval. The depth of a moving layer is the 90th
 /// percentile (the value of rank ceil(0.9 n)) of its moves.
-Motion measure_motion(const Track& track, const Box<2>& box, const MotionSettings& settings);
+Motion measure_motion(const Track<2>& track, const Box<2>& box, const MotionSettings& settings);
 
 }  // namespace repose

@@ -25,14 +25,19 @@ std::vector<Measure> measures_in(const std::string& summary, const std::string& 
 
 }  // namespace
 
-std::vector<Measure> measures_of_record(const Record& record) {
+template <int D>
+std::vector<Measure> measures_of_record(const Record<D>& record) {
   return measures_in(summary_text(record, repose::analyse(record, {})), "summary");
 }
+template std::vector<Measure> measures_of_record(const Record<2>&);
+template std::vector<Measure> measures_of_record(const Record<3>&);
 
 std::vector<Measure> analyse(const std::string& folder) {
   const FolderLock lock(folder);
-  const auto record = read_record(folder);
-  write_results(folder, lock, record, repose::analyse(record, {}));
+  with_dimension(run_dimension(folder), [&](auto dimension) {
+    const auto record = read_record<dimension>(folder);
+    write_results(folder, lock, record, repose::analyse(record, {}));
+  });
   return measures(folder);
 }
 

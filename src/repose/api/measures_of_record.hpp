@@ -10,6 +10,7 @@
 namespace repose::api {
 
 /// The measures that the analysis finds in a record.
-std::vector<Measure> measures_of_record(const Record& record);
+template <int D>
+std::vector<Measure> measures_of_record(const Record<D>& record);
 
 }  // namespace repose::api

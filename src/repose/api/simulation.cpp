@@ -10,17 +10,44 @@
 #include <fmt/format.h>
 
 #include <atomic>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 namespace repose::api {
 
-struct Simulation::State {
-  State(const repose::Scene& scene, int threads) : simulation(scene, threads) {}
+namespace running_simulation {
 
-  repose::Simulation simulation;
-  std::unique_ptr<RunFolder> folder;
+/// A simulation and its run folder, if it writes one.
+template <int D>
+struct Running {
+  Running(const repose::Scene& scene, int threads) : simulation(scene, threads) {}
+
+  repose::Simulation<D> simulation;
+  std::unique_ptr<RunFolder<D>> folder;
+};
+
+using AnyRunning = std::variant<std::unique_ptr<Running<2>>, std::unique_ptr<Running<3>>>;
+
+AnyRunning running(const repose::Scene& scene, int threads) {
+  return with_dimension(scene.dimension, [&](auto dimension) -> AnyRunning {
+    return std::make_unique<Running<dimension>>(scene, threads);
+  });
+}
+
+}  // namespace running_simulation
+
+struct Simulation::State {
+  State(const repose::Scene& scene, int threads) : any(running_simulation::running(scene, threads)) {}
+
+  running_simulation::AnyRunning any;
   std::atomic<bool> interrupted{false};
 
+  /// Calls use(running), a Running of the dimension of the scene.
+  template <class Use>
+  decltype(auto) with(const Use& use) const {
+    return std::visit([&](const auto& one) -> decltype(auto) { return use(*one); }, any);
+  }
   auto pause() {
     return [this] { return !interrupted; };
   }
@@ -58,86 +85,127 @@ Simulation Simulation::resume(const std::string& folder, int threads) {
   auto run = find_interrupted(folder);
   if (run.finished) throw InputError(fmt::format("{}: the run is finished", folder));
   auto state = std::make_unique<State>(run.scene, threads);
-  state->folder = resumed_folder(folder, run, state->simulation);
+  state->with([&](auto& one) { one.folder = resumed_folder(folder, run, one.simulation); });
   return Simulation(std::move(state));
 }
 
 double Simulation::advance(double until) {
-  const double reached = state_->simulation.advance(until, state_->pause()).time;
+  const double reached = state_->with([&](auto& one) { return one.simulation.advance(until, state_->pause()).time; });
   state_->interrupted = false;
   return reached;
 }
 
 void Simulation::run() {
-  auto& state = *state_;
-  if (!state.folder) {
-    state.simulation.run(state.pause());
-    return;
-  }
-  state.folder->run(state.simulation, state.interrupted);
-  state.folder->write(state.simulation);
-  state.folder.reset();  // gives the lock back
+  state_->with([&](auto& one) {
+    if (!one.folder) {
+      one.simulation.run(state_->pause());
+      return;
+    }
+    one.folder->run(one.simulation, state_->interrupted);
+    one.folder->write(one.simulation);
+    one.folder.reset();  // gives the lock back
+  });
 }
 
 void Simulation::write_to(const std::string& folder, bool overwrite) {
-  refuse(RunFolder::problems(folder, overwrite));
-  state_->folder = std::make_unique<RunFolder>(folder, state_->simulation);
+  refuse(run_folder_problems(folder, overwrite));
+  state_->with([&](auto& one) {
+    using Folder = typename std::remove_reference_t<decltype(one.folder)>::element_type;
+    one.folder = std::make_unique<Folder>(folder, one.simulation);
+  });
 }
 
 void Simulation::observe_every(double interval, std::function<void(const Simulation&)> use) {
-  state_->simulation.observe_every(interval, [this, use = std::move(use)](const repose::Simulation&) { use(*this); });
+  state_->with([&](auto& one) { one.simulation.observe_every(interval, [this, use](const auto&) { use(*this); }); });
 }
 
 void Simulation::interrupt() { state_->interrupted = true; }
 
 void Simulation::save(const std::string& folder, bool overwrite) {
-  refuse(RunFolder::problems(folder, overwrite));
-  RunFolder written(folder, state_->simulation);
-  written.write(state_->simulation);
-  if (state_->simulation.status() == repose::Status::running) written.keep(state_->simulation, true);
+  refuse(run_folder_problems(folder, overwrite));
+  state_->with([&](auto& one) {
+    typename std::remove_reference_t<decltype(one.folder)>::element_type written(folder, one.simulation);
+    written.write(one.simulation);
+    if (one.simulation.status() == repose::Status::running) written.keep(one.simulation, true);
+  });
 }
 
-double Simulation::time() const { return state_->simulation.time(); }
-double Simulation::time_step() const { return state_->simulation.time_step(); }
-std::int64_t Simulation::steps() const { return state_->simulation.steps(); }
-Status Simulation::status() const { return status_of(state_->simulation.status()); }
-std::string Simulation::message() const { return state_->simulation.message(); }
-std::string Simulation::state_hash() const { return state_->simulation.record().facts.state_hash; }
+int Simulation::dimension() const { return static_cast<int>(state_->any.index()) + 2; }
 
-std::vector<Grain> Simulation::grains() const {
-  const auto record = state_->simulation.record();
+double Simulation::time() const {
+  return state_->with([](auto& one) { return one.simulation.time(); });
+}
+double Simulation::time_step() const {
+  return state_->with([](auto& one) { return one.simulation.time_step(); });
+}
+std::int64_t Simulation::steps() const {
+  return state_->with([](auto& one) -> std::int64_t { return one.simulation.steps(); });
+}
+Status Simulation::status() const {
+  return state_->with([](auto& one) { return status_of(one.simulation.status()); });
+}
+std::string Simulation::message() const {
+  return state_->with([](auto& one) { return one.simulation.message(); });
+}
+std::string Simulation::state_hash() const {
+  return state_->with([](auto& one) { return one.simulation.record().facts.state_hash; });
+}
+
+namespace {
+
+/// The spin of a disc is about the axis out of its plane.
+Coordinates axial(double spin) { return {0.0, 0.0, spin}; }
+Coordinates axial(const Vec<3>& spin) { return coordinates(spin); }
+
+template <int D>
+std::vector<Grain> grains_of(const Record<D>& record) {
   std::vector<Grain> grains;
   grains.reserve(record.grains.size());
   for (std::size_t k = 0; k < record.grains.size(); ++k) {
     const auto& line = record.grains->line[k];
-    grains.push_back({record.grains->id[k],
-                      {line.position[0], line.position[1]},
-                      {line.velocity[0], line.velocity[1]},
-                      line.rim_velocity / line.radius,
-                      line.radius,
-                      line.mass,
-                      record.grains->material[k],
-                      line.fixed(),
-                      record.grains->base[k] != 0});
+    const Spin<D> spin = line.rim_velocity * (1.0 / line.radius);
+    Grain grain;
+    grain.id = record.grains->id[k];
+    grain.position = coordinates(line.position);
+    grain.velocity = coordinates(line.velocity);
+    grain.angular_velocity = axial(spin);
+    if constexpr (D == 2) grain.spin = line.rim_velocity / line.radius;
+    grain.radius = line.radius;
+    grain.mass = line.mass;
+    grain.material = record.grains->material[k];
+    grain.fixed = line.fixed();
+    grain.base = record.grains->base[k] != 0;
+    grains.push_back(grain);
   }
   return grains;
 }
 
-std::vector<Contact> Simulation::contacts() const {
-  std::vector<Contact> contacts;
-  for (const auto& contact : state_->simulation.contacts().list) {
-    contacts.push_back({contact.first,
-                        contact.second,
-                        {contact.normal[0], contact.normal[1]},
-                        contact.overlap,
-                        contact.normal_force,
-                        contact.tangential_force,
-                        contact.slip,
-                        contact.sliding});
+double along_tangent(double tangent) { return tangent; }
+double along_tangent(const Vec<3>& tangent) { return magnitude(tangent); }
+
+template <int D>
+std::vector<Contact> contacts_of(const Contacts<D>& contacts) {
+  std::vector<Contact> list;
+  for (const auto& contact : contacts.list) {
+    list.push_back({contact.first, contact.second, coordinates(contact.normal), contact.overlap, contact.normal_force,
+                    along_tangent(contact.tangential_force), along_tangent(contact.slip),
+                    coordinates(force_of(contact)), contact.sliding});
   }
-  return contacts;
+  return list;
 }
 
-std::vector<Measure> Simulation::measures() const { return measures_of_record(state_->simulation.record()); }
+}  // namespace
+
+std::vector<Grain> Simulation::grains() const {
+  return state_->with([](auto& one) { return grains_of(one.simulation.record()); });
+}
+
+std::vector<Contact> Simulation::contacts() const {
+  return state_->with([](auto& one) { return contacts_of(one.simulation.contacts()); });
+}
+
+std::vector<Measure> Simulation::measures() const {
+  return state_->with([](auto& one) { return measures_of_record(one.simulation.record()); });
+}
 
 }  // namespace repose::api

@@ -17,26 +17,29 @@ namespace repose::api {
 /// A grain of the present state.
 struct Grain {
   std::int64_t id = 0;               ///< stable for the whole run
-  std::array<double, 2> position{};  ///< [L] of the centre, inside a periodic box
-  std::array<double, 2> velocity{};  ///< [L/T]
-  double spin = 0.0;                 ///< [1/T] angular velocity, counter-clockwise
-  double radius = 0.0;               ///< [L]
-  double mass = 0.0;                 ///< [M]
-  int material = 0;                  ///< number of the material in the scene
-  bool fixed = false;                ///< never moves
-  bool base = false;                 ///< belongs to the base
+  std::array<double, 3> position{};  ///< [L] of the centre, inside a periodic box; of a disc the third number is 0
+  std::array<double, 3> velocity{};  ///< [L/T]
+  double spin = 0.0;                 ///< [1/T] angular velocity of a disc, counter-clockwise
+  std::array<double, 3> angular_velocity{};  ///< [1/T] of a disc about the third axis
+  double radius = 0.0;                       ///< [L]
+  double mass = 0.0;                         ///< [M]
+  int material = 0;                          ///< number of the material in the scene
+  bool fixed = false;                        ///< never moves
+  bool base = false;                         ///< belongs to the base
 };
 
-/// A contact of the present state. The normal points from the second to the first partner, forces act on the first, a
-/// positive normal force pushes apart, and the tangent is the normal turned by +90 degrees.
+/// A contact of the present state. The normal points from the second to the first partner, forces act on the first, and
+/// a positive normal force pushes apart. Between discs the tangent is the normal turned by +90 degrees; between spheres
+/// numbers along it are magnitudes.
 struct Contact {
   std::int64_t first = 0;          ///< id of a grain
   std::int64_t second = 0;         ///< id of a grain, or -1 - k for wall number k
-  std::array<double, 2> normal{};  ///< unit vector
+  std::array<double, 3> normal{};  ///< unit vector
   double overlap = 0.0;            ///< [L]
   double normal_force = 0.0;       ///< [M L/T^2]
   double tangential_force = 0.0;   ///< [M L/T^2]
   double slip = 0.0;               ///< [L] tangential displacement accumulated by the contact
+  std::array<double, 3> force{};   ///< [M L/T^2] normal and tangential together
   bool sliding = false;            ///< at the Coulomb limit
 };
 
@@ -79,6 +82,7 @@ class Simulation {
   /// plotted, exported and resumed. Throws InputError, RunError.
   void save(const std::string& folder, bool overwrite = false);
 
+  int dimension() const;        ///< 2: discs; 3: spheres
   double time() const;          ///< [T]
   double time_step() const;     ///< [T] 0 where steps vary
   std::int64_t steps() const;   ///< steps or events taken

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/boundaries/wall_shape.hpp"
 #include "repose/core/box.hpp"
+#include "repose/core/errors.hpp"
 #include "repose/core/inline.hpp"
 #include "repose/core/reproducible_math.hpp"
 #include "repose/core/vec.hpp"
@@ -61,20 +63,23 @@ struct WallMotion {
   }
 };
 
-/// A straight wall. An infinite wall has grains only on the side that its normal points to; a wall of finite length has
-/// two sides. It touches a grain at the grain's rim, and its force follows the pair law for a partner of equal size and
-/// mass.
+/// A wall: in two dimensions straight, in three a plane or one of the shapes. An infinite wall has grains only on the
+/// side that its normal points to; a finite one has two sides. It touches a grain at the grain's rim, in one place, and
+/// its force follows the pair law for a partner of equal size and mass, without curvature. So a grain that touches a
+/// cylinder or a cone all around feels it at the nearest place alone.
 template <int D>
 struct Wall {
   Vec<D> point{};   ///< [L] a point on the wall; the middle of a finite wall
-  Vec<D> normal{};  ///< unit vector
+  Vec<D> normal{};  ///< unit vector; the axis of a frustum
   /// A smooth wall stands for a row of grain centres (Baxter et al. 1997): it acts at the height of a grain's centre,
   /// holds a grain at rest one diameter above itself, and has no friction.
   bool smooth = false;
-  double half_length = std::numeric_limits<double>::infinity();  ///< [L] half the length in 2D; the radius in 3D
+  /// [L] Half the length in two dimensions; in three the largest distance from `point`, which is a disc's radius.
+  double half_length = std::numeric_limits<double>::infinity();
   std::uint16_t material = 0;
   WallMotion<D> motion{};
   double opens_at = std::numeric_limits<double>::infinity();  ///< [T] time from which the wall is absent
+  [[no_unique_address]] WallShape<D> shape{};
 
   bool finite() const { return half_length < std::numeric_limits<double>::infinity(); }
 };
@@ -125,6 +130,7 @@ struct WallNow {
   Spin<D> spin{};             ///< [1/T] angular velocity of a rotation
   Vec<D> arm{};               ///< [L] from the centre of the rotation to the point
   Spin<D> belt{};             ///< [L/T] axis of a belt times its speed
+  Vec<D> side{};              ///< unit vector along the wall that turns with it; in three dimensions alone
 
   bool turns() const { return spin != Spin<D>{} || belt != Spin<D>{}; }
   /// The velocity [L/T] of the surface where it touches, beyond `velocity`. `nearest` [L] is the place relative to the
@@ -135,6 +141,22 @@ struct WallNow {
   }
 };
 
+/// Whether a wall only turns about the axis of its own shape: it then moves nowhere, and only its surface has a speed.
+template <int D>
+bool turns_in_itself(const Wall<D>& wall) {
+  if constexpr (D == 3) {
+    using Kind = WallShape<3>::Kind;
+    constexpr double rounding = 1e-12;
+    const auto& motion = wall.motion;
+    if (motion.kind != WallMotion<3>::Kind::rotation) return false;
+    if (wall.shape.kind != Kind::disc && wall.shape.kind != Kind::frustum) return false;
+    if (magnitude(cross(motion.axis, wall.normal)) > rounding) return false;
+    const Vec<3> arm = wall.point - motion.centre;
+    return magnitude(tangential(arm, wall.normal)) <= rounding * (magnitude(arm) + wall.half_length);
+  }
+  return false;
+}
+
 template <int D>
 WallNow<D> wall_now(const Wall<D>& wall, const WallState& state, double time) {
   const auto& motion = wall.motion;
@@ -144,11 +166,16 @@ WallNow<D> wall_now(const Wall<D>& wall, const WallState& state, double time) {
   now.velocity = motion.direction * state.speed;
   now.present = time < wall.opens_at;
   now.inverse_mass = motion.feels_grains() && motion.going(time) ? 1.0 / motion.mass : 0.0;
-  if (motion.kind == WallMotion<D>::Kind::rotation) {
+  if constexpr (D == 3) now.side = wall.shape.side == Vec<3>{} ? any_perpendicular(wall.normal) : wall.shape.side;
+  if (turns_in_itself(wall)) {
+    now.spin = motion.axis * state.speed;
+    now.arm = wall.point - motion.centre;
+  } else if (motion.kind == WallMotion<D>::Kind::rotation) {
     now.spin = motion.axis * state.speed;
     now.arm = rotated(Vec<D>(wall.point - motion.centre), motion.axis, state.displacement);
     now.point = motion.centre + now.arm;
     now.normal = rotated(wall.normal, motion.axis, state.displacement);
+    if constexpr (D == 3) now.side = rotated(now.side, motion.axis, state.displacement);
   } else if (motion.kind == WallMotion<D>::Kind::belt) {
     now.belt = motion.axis * -state.speed;
   } else if (motion.surface != 0.0 && motion.going(time)) {
@@ -162,7 +189,10 @@ template <int D>
 double farthest_moved(const Wall<D>& wall, double change) {
   if (wall.motion.kind == WallMotion<D>::Kind::belt) return 0.0;
   if (wall.motion.kind != WallMotion<D>::Kind::rotation) return std::fabs(change);
-  return std::fabs(change) * (magnitude(Vec<D>(wall.point - wall.motion.centre)) + wall.half_length);
+  if (turns_in_itself(wall)) return 0.0;
+  Vec<D> arm = wall.point - wall.motion.centre;
+  if constexpr (D == 3) arm = tangential(arm, wall.motion.axis);
+  return std::fabs(change) * (magnitude(arm) + wall.half_length);
 }
 
 /// The shortest line from a wall to the centre of a grain.
@@ -173,9 +203,10 @@ struct AboveWall {
 };
 
 /// The shortest line to a centre that lies at `from_point` [L] relative to the wall's point, for a wall whose normal is
-/// `normal` now.
+/// `normal` now. In three dimensions it must be a plane or a disc.
 template <int D>
 REPOSE_FN AboveWall<D> above(const Wall<D>& wall, const Vec<D>& normal, const Vec<D>& from_point) {
+  if constexpr (D == 3) REPOSE_ASSERT(wall.shape.kind == WallShape<3>::Kind::disc);
   const double height = dot(from_point, normal);
   if (!wall.finite()) return {height, normal};
   const Vec<D> along = from_point - normal * height;
@@ -186,11 +217,29 @@ REPOSE_FN AboveWall<D> above(const Wall<D>& wall, const Vec<D>& normal, const Ve
   return {distance, from_end * (1.0 / std::max(distance, std::numeric_limits<double>::min()))};
 }
 
-/// Whether the nearest point of a wall, to a centre at `from_point` [L] relative to the wall's point, is its end.
+/// The same for a wall of any shape as it stands now.
 template <int D>
-REPOSE_FN bool beyond_end(const Wall<D>& wall, const Vec<D>& normal, const Vec<D>& from_point) {
+REPOSE_FN AboveWall<D> above(const Wall<D>& wall, const WallNow<D>& now, const Vec<D>& from_point) {
+  if constexpr (D == 3) {
+    if (wall.shape.kind != WallShape<3>::Kind::disc) {
+      const auto nearest = nearest_on(wall.shape, now.normal, now.side, from_point);
+      return {nearest.height, nearest.normal};
+    }
+  }
+  return above(wall, now.normal, from_point);
+}
+
+/// Whether the nearest point of a wall, to a centre at `from_point` [L] relative to the wall's point, is on its end:
+/// its edge, a corner or a rim.
+template <int D>
+REPOSE_FN bool beyond_end(const Wall<D>& wall, const WallNow<D>& now, const Vec<D>& from_point) {
   if (!wall.finite()) return false;
-  return magnitude(from_point - normal * dot(from_point, normal)) > wall.half_length;
+  if constexpr (D == 3) {
+    if (wall.shape.kind != WallShape<3>::Kind::disc) {
+      return nearest_on(wall.shape, now.normal, now.side, from_point).at_end;
+    }
+  }
+  return magnitude(from_point - now.normal * dot(from_point, now.normal)) > wall.half_length;
 }
 
 /// How deep [L] a wall presses into a grain; negative: the gap between them.

@@ -38,7 +38,10 @@ Vec<D> surface_velocity(const WallNow<D>& now, const WallTouch<D>& touch) {
 /// nearly continue each other at the grain (their normals differ by less than 3 degrees), the nearer one acts. Of equal
 /// ones the last acts. Two infinite walls, or a smooth and another wall, are never one surface. Two faces at a larger
 /// angle both act: a grain in a corner touches both.
-/// Validated by tests/unit/wall_contacts_test.cpp, tests/cli/test_walls_that_meet.py.
+///
+/// In three dimensions the other wall need not act itself, and some third wall then acts for both. So of a surface of
+/// small triangles those act whose nearest point no other triangle continues nearer to the grain.
+/// Validated by tests/unit/wall_contacts_test.cpp, tests/unit/walls_3d_test.cpp, tests/cli/test_walls_that_meet.py.
 template <int D>
 class WallContacts {
  public:
@@ -56,12 +59,15 @@ class WallContacts {
     const auto finite = [&](const auto& touch) { return walls[touch.wall].finite(); };
     if (std::none_of(touches_.begin(), touches_.end(), finite)) return;
     order_.clear();
-    for (std::uint32_t k = 0; k < touches_.size(); ++k) order_.push_back(k);
+    at_end_.clear();
+    for (std::uint32_t k = 0; k < touches_.size(); ++k) {
+      order_.push_back(k);
+      const auto w = touches_[k].wall;
+      at_end_.push_back(beyond_end(walls[w], now[w], touches_[k].from_point) ? 1 : 0);
+    }
     // Faces before ends, then the nearest first: whatever acts for another touch comes before it.
     const auto earlier = [&](std::uint32_t a, std::uint32_t b) {
-      const bool end_a = at_end(touches_[a], walls, now);
-      const bool end_b = at_end(touches_[b], walls, now);
-      if (end_a != end_b) return end_b;
+      if (at_end_[a] != at_end_[b]) return at_end_[b] != 0;
       if (touches_[a].place.height != touches_[b].place.height) {
         return touches_[a].place.height < touches_[b].place.height;
       }
@@ -69,18 +75,22 @@ class WallContacts {
     };
     std::sort(order_.begin(), order_.end(), earlier);
     acting_.clear();
-    for (const auto k : order_) {
-      const auto found = std::find_if(acting_.begin(), acting_.end(), [&](auto other) {
-        return one_surface(touches_[k], touches_[other], walls, now, radius);
-      });
+    for (std::size_t done = 0; done < order_.size(); ++done) {
+      const auto k = order_[done];
+      const auto joins = [&](auto other) { return one_surface(k, other, walls, now, radius); };
+      auto found = std::find_if(acting_.begin(), acting_.end(), joins);
+      if (D == 3 && found == acting_.end() && at_end_[k] != 0) {
+        const auto before = order_.begin() + static_cast<std::ptrdiff_t>(done);
+        const auto beside = std::find_if(order_.begin(), before, joins);
+        if (beside != before) found = std::find(acting_.begin(), acting_.end(), touches_[*beside].acts);
+      }
       if (found == acting_.end()) {
         acting_.push_back(k);
         continue;
       }
       const auto other = *found;
       const double apart = magnitude(touches_[k].nearest() - touches_[other].nearest());
-      const bool same_kind = at_end(touches_[k], walls, now) == at_end(touches_[other], walls, now);
-      const bool equal = same_kind && apart <= same_point * radius;
+      const bool equal = at_end_[k] == at_end_[other] && apart <= same_point * radius;
       const auto last = equal ? std::max(k, other) : other;
       *found = last;
       for (auto& touch : touches_) {
@@ -98,25 +108,26 @@ class WallContacts {
   static constexpr double same_face = 0.06;       ///< nearest points this close, if the normals agree; > tan(3 deg)
   static constexpr double same_normal = 0.99863;  ///< cos(3 deg)
 
-  static bool at_end(const WallTouch<D>& touch, const std::vector<Wall<D>>& walls, const std::vector<WallNow<D>>& now) {
-    return beyond_end(walls[touch.wall], now[touch.wall].normal, touch.from_point);
-  }
-
-  static bool one_surface(const WallTouch<D>& touch, const WallTouch<D>& other, const std::vector<Wall<D>>& walls,
-                          const std::vector<WallNow<D>>& now, double radius) {
+  bool one_surface(std::uint32_t k, std::uint32_t l, const std::vector<Wall<D>>& walls,
+                   const std::vector<WallNow<D>>& now, double radius) const {
+    const auto& touch = touches_[k];
+    const auto& other = touches_[l];
     const auto& wall = walls[touch.wall];
     const auto& other_wall = walls[other.wall];
     if ((!wall.finite() && !other_wall.finite()) || wall.smooth != other_wall.smooth) return false;
-    if (at_end(touch, walls, now)) {
-      const double off_wall = above(other_wall, now[other.wall].normal, other.from_point + touch.nearest()).height;
+    if (at_end_[k] != 0) {
+      // The far side of a cylinder does not continue what the near one begins.
+      if (D == 3 && dot(touch.place.normal, other.place.normal) < 0.0) return false;
+      const double off_wall = above(other_wall, now[other.wall], other.from_point + touch.nearest()).height;
       return other.place.height <= touch.place.height + same_distance * radius &&
              std::fabs(off_wall) <= meeting * radius;
     }
-    return !at_end(other, walls, now) && dot(touch.place.normal, other.place.normal) > same_normal &&
+    return at_end_[l] == 0 && dot(touch.place.normal, other.place.normal) > same_normal &&
            magnitude(touch.nearest() - other.nearest()) <= same_face * radius;
   }
 
   std::vector<WallTouch<D>> touches_;
+  std::vector<std::uint8_t> at_end_;  // of each touch: 1 if the nearest point is an end of its wall
   std::vector<std::uint32_t> order_;
   std::vector<std::uint32_t> acting_;
 };

@@ -33,14 +33,16 @@ int act(const AnalyseOptions& options) {
     return 0;
   }
   const FolderLock lock(options.folder);
-  const auto record = read_record(options.folder);
   if (read_run_scene(options.folder) != text_of_file(options.folder + "/scene.toml")) {
     complain("{}/scene.toml: has changed since the run; the analysis uses its [analysis] as it stands now\n",
              options.folder);
   }
-  const auto results = analyse(record, options.further);
-  write_results(options.folder, lock, record, results);
-  if (!options.quiet) say("{}", describe_result(record, results));
+  with_dimension(run_dimension(options.folder), [&](auto dimension) {
+    const auto record = read_record<dimension>(options.folder);
+    const auto results = analyse(record, options.further);
+    write_results(options.folder, lock, record, results);
+    if (!options.quiet) say("{}", describe_result(record, results));
+  });
   return 0;
 }
 

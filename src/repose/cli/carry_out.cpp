@@ -35,15 +35,16 @@ void check_memory(const Scene& scene, const std::string& name) {
       name, needed / 1e9, room / 1e9));
 }
 
-int carry_out(Simulation& simulation, RunFolder& folder, bool quiet) {
+template <int D>
+int carry_out(Simulation<D>& simulation, RunFolder<D>& folder, bool quiet) {
   catch_signals();
   Progress progress(simulation.scene(), !quiet);
-  simulation.observe_every(simulation.scene().output.series, [&](const Simulation& s) { progress.update(s); });
+  simulation.observe_every(simulation.scene().output.series, [&](const auto& s) { progress.update(s); });
   folder.run(simulation, interrupted);
   progress.finish();
   std::string result;
   folder.write_last(simulation,
-                    [&](const Record& record, const Results& results) { result = describe_result(record, results); });
+                    [&](const auto& record, const auto& results) { result = describe_result(record, results); });
   if (simulation.status() == Status::failed) throw RunError(simulation.message());
   const bool stopped = simulation.status() == Status::interrupted;
   if (!quiet) {
@@ -52,5 +53,7 @@ int carry_out(Simulation& simulation, RunFolder& folder, bool quiet) {
   }
   return stopped ? exit_interrupted : 0;
 }
+template int carry_out(Simulation<2>&, RunFolder<2>&, bool);
+template int carry_out(Simulation<3>&, RunFolder<3>&, bool);
 
 }  // namespace repose

@@ -18,6 +18,7 @@ void check_memory(const Scene& scene, const std::string& name);
 
 /// Runs a simulation to its end, to Ctrl-C or into trouble, and shows progress and result on the terminal. Returns the
 /// exit status. Throws RunError.
-int carry_out(Simulation& simulation, RunFolder& folder, bool quiet);
+template <int D>
+int carry_out(Simulation<D>& simulation, RunFolder<D>& folder, bool quiet);
 
 }  // namespace repose

@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace repose {
 
@@ -22,9 +24,11 @@ namespace {
 
 /// "1000 poured, 3 placed, on 151 fixed".
 std::string grains_text(const Scene& scene) {
-  const auto initial = initial_grains(scene);
-  const auto moving = moving_count(initial);
-  const auto fixed = initial.size() - moving;
+  const auto [all, moving] = with_dimension(scene.dimension, [&](auto dimension) {
+    const auto initial = initial_grains<dimension>(scene);
+    return std::pair(initial.size(), moving_count(initial));
+  });
+  const auto fixed = all - moving;
   std::string text = scene.source->describe();
   if (moving > 0 || text.empty()) text += fmt::format("{}{} placed", text.empty() ? "" : ", ", moving);
   if (fixed > 0) text += fmt::format(" on {} fixed", fixed);
@@ -43,10 +47,10 @@ std::string or_none(const std::optional<double>& value, const char* format) {
 }
 
 /// Mean sweeps per step, and impacts whose restitution gave way.
-std::string describe_solver(const Record& record) {
-  const auto* solver = record.scene.method->solver();
+std::string describe_solver(const Scene& scene, const std::vector<SeriesRow>& series) {
+  const auto* solver = scene.method->solver();
   if (solver == nullptr) return "";
-  const auto all = solver_account(record);
+  const auto all = solver_account(series);
   if (all.steps == 0) return "";
   std::string text = fmt::format("solver           {:.3g} sweeps a step\n",
                                  static_cast<double>(all.sweeps) / static_cast<double>(all.steps));
@@ -248,14 +252,23 @@ std::string describe_column(const ColumnState& column) {
   return text;
 }
 
-std::string describe_result(const Record& record, const Results& results) {
+/// How the run ended, and what makes its results doubtful.
+template <int D>
+std::string describe_end(const Record<D>& record) {
   const auto& facts = record.facts;
   std::string text = fmt::format(
       "stopped          {} (time {:.6g}, {} steps, {:.1f} s, {:.3g} grain-steps per second)\n", facts.message,
       facts.time, facts.steps, facts.wall_seconds, facts.grain_steps / std::max(facts.wall_seconds, 1e-9));
   text += fmt::format("grains           {} present, {} lost\n", moving_count(*record.grains), facts.lost);
-  text += describe_solver(record);
+  text += describe_solver(record.scene, record.series);
   for (const auto& warning : warnings_of(record)) text += fmt::format("warning          {}\n", warning);
+  return text;
+}
+template std::string describe_end(const Record<2>&);
+template std::string describe_end(const Record<3>&);
+
+std::string describe_result(const Record<2>& record, const Results<2>& results) {
+  std::string text = describe_end(record);
   if (results.packing) text += describe_packing(*results.packing);
   if (!results.packing_problem.empty())
     text += fmt::format("packing          not measured: {}\n", results.packing_problem);

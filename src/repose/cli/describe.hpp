@@ -4,6 +4,7 @@
 
 #include "repose/record/record.hpp"
 #include "repose/results/results.hpp"
+#include "repose/results/sphere_results.hpp"
 #include "repose/scene/scene.hpp"
 
 #include <string>
@@ -17,6 +18,11 @@ std::string describe(const Scene& scene);
 std::string describe_contacts(const Scene& scene);
 
 /// Describes the result of a run in a few lines.
-std::string describe_result(const Record& record, const Results& results);
+std::string describe_result(const Record<2>& record, const Results<2>& results);
+std::string describe_result(const Record<3>& record, const Results<3>& results);
+
+/// The part of it that does not depend on the dimension: how the run ended, and its warnings.
+template <int D>
+std::string describe_end(const Record<D>& record);
 
 }  // namespace repose

@@ -26,7 +26,8 @@ Progress::Progress(const Scene& scene, bool show)
       terminal_(::isatty(STDOUT_FILENO) == 1),
       all_work_(expected_work(scene, expected_end(scene))) {}
 
-void Progress::update(const Simulation& simulation) {
+template <int D>
+void Progress::update(const Simulation<D>& simulation) {
   if (!show_) return;
   const auto now = Clock::now();
   const double between = terminal_ ? 0.2 : 10.0;
@@ -48,6 +49,9 @@ void Progress::update(const Simulation& simulation) {
   }
   std::fflush(stdout);
 }
+
+template void Progress::update(const Simulation<2>&);
+template void Progress::update(const Simulation<3>&);
 
 void Progress::finish() {
   if (drawn_) say("\r\033[K");

@@ -16,7 +16,8 @@ std::string clock_text(double seconds);
 class Progress {
  public:
   Progress(const Scene& scene, bool show);
-  void update(const Simulation& simulation);
+  template <int D>
+  void update(const Simulation<D>& simulation);
   /// Clears the bar.
   void finish();
 

@@ -25,6 +25,21 @@ struct ResumeOptions {
   bool quiet = false;
 };
 
+template <int D>
+int resume_run(InterruptedRun& found, const ResumeOptions& options) {
+  Simulation<D> simulation(found.scene, threads_for(found.scene, options.threads));
+  const auto frames =
+      found.checkpoint ? damaged_frames(options.folder, found.checkpoint->frames()) : std::vector<std::string>();
+  for (const auto& problem : frames) complain("repose: {}; this frame is lost\n", problem);
+  auto folder = resumed_folder(options.folder, found, simulation);
+  if (!options.quiet) {
+    say("resumed          at time {:.6g}, step {}{}\n", simulation.time(), simulation.steps(),
+        found.checkpoint ? "" : ": no checkpoint existed yet");
+    say("threads          {}\noutput           {}\n", simulation.threads(), options.folder);
+  }
+  return carry_out(simulation, *folder, options.quiet);
+}
+
 int act(const ResumeOptions& options) {
   if (SweepFolder::is_one(options.folder)) {
     throw InputError(
@@ -41,17 +56,7 @@ int act(const ResumeOptions& options) {
     }
     return 0;
   }
-  Simulation simulation(found.scene, threads_for(found.scene, options.threads));
-  const auto frames =
-      found.checkpoint ? damaged_frames(options.folder, found.checkpoint->frames()) : std::vector<std::string>();
-  for (const auto& problem : frames) complain("repose: {}; this frame is lost\n", problem);
-  auto folder = resumed_folder(options.folder, found, simulation);
-  if (!options.quiet) {
-    say("resumed          at time {:.6g}, step {}{}\n", simulation.time(), simulation.steps(),
-        found.checkpoint ? "" : ": no checkpoint existed yet");
-    say("threads          {}\noutput           {}\n", simulation.threads(), options.folder);
-  }
-  return carry_out(simulation, *folder, options.quiet);
+  return with_dimension(found.scene.dimension, [&](auto dimension) { return resume_run<dimension>(found, options); });
 }
 
 }  // namespace

@@ -27,23 +27,13 @@ struct RunOptions {
   bool view = false;
 };
 
-int act(const RunOptions& options) {
-  const std::string out = options.out.empty() ? std::filesystem::path(options.scene.file).stem().string() : options.out;
-  std::vector<std::string> problems = RunFolder::problems(out, options.overwrite);
-  std::optional<Scene> scene;
-  try {
-    scene = options.scene.read();
-  } catch (const InputError& error) {
-    problems.insert(problems.begin(), error.problems().begin(), error.problems().end());
-  }
-  if (!problems.empty()) throw InputError(problems);
-  if (!options.beyond_memory) check_memory(*scene, options.scene.file);
-
-  Simulation simulation(*scene, threads_for(*scene, options.threads));
+template <int D>
+int run_scene(const Scene& scene, const std::string& out, const RunOptions& options) {
+  Simulation<D> simulation(scene, threads_for(scene, options.threads));
   if (options.profile) simulation.start_profile();
-  RunFolder folder(out, simulation);
+  RunFolder<D> folder(out, simulation);
   if (!options.quiet) {
-    say("{}", describe(*scene));
+    say("{}", describe(scene));
     say("threads          {}\noutput           {}\n", simulation.threads(), out);
   }
   std::optional<ViewerProcess> viewer;
@@ -58,6 +48,21 @@ int act(const RunOptions& options) {
     viewer->wait();
   }
   return status;
+}
+
+int act(const RunOptions& options) {
+  const std::string out = options.out.empty() ? std::filesystem::path(options.scene.file).stem().string() : options.out;
+  std::vector<std::string> problems = run_folder_problems(out, options.overwrite);
+  std::optional<Scene> scene;
+  try {
+    scene = options.scene.read();
+  } catch (const InputError& error) {
+    problems.insert(problems.begin(), error.problems().begin(), error.problems().end());
+  }
+  if (!problems.empty()) throw InputError(problems);
+  if (!options.beyond_memory) check_memory(*scene, options.scene.file);
+  if (options.view && scene->dimension == 3) throw InputError("--view shows runs of discs alone");
+  return with_dimension(scene->dimension, [&](auto dimension) { return run_scene<dimension>(*scene, out, options); });
 }
 
 }  // namespace

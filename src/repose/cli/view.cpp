@@ -6,6 +6,8 @@
 #include "repose/cli/signals.hpp"
 #include "repose/cli/verbs.hpp"
 #include "repose/cli/view_server.hpp"
+#include "repose/io/folders.hpp"
+#include "repose/record/record_file.hpp"
 #include "repose/view/answers.hpp"
 
 #include <cstdio>
@@ -22,6 +24,7 @@ struct ViewOptions {
 };
 
 int act(const ViewOptions& options) {
+  if (path_exists(options.folder + "/run.h5")) refuse_spheres(options.folder, "the view");
   ViewServer server(std::make_shared<Answers>(options.folder), options.port);
   catch_signals();
   const auto address = server.address();

@@ -13,7 +13,7 @@ namespace repose {
 
 namespace {
 
-void check(const Record& record) {
+void check(const Record<2>& record) {
   const auto& scene = record.scene;
   std::vector<std::string> problems;
   const auto refuse = [&](const std::string& why) { problems.push_back("no contact problem: " + why); };
@@ -31,12 +31,12 @@ void check(const Record& record) {
 
 }  // namespace
 
-ContactProblem next_contact_problem(const Record& record) {
+ContactProblem next_contact_problem(const Record<2>& record) {
   check(record);
   return pose_contact_problem(record, {});
 }
 
-ContactProblem pose_contact_problem(const Record& record, const std::vector<Load<2>>& loads) {
+ContactProblem pose_contact_problem(const Record<2>& record, const std::vector<Load<2>>& loads) {
   const auto method = make_method(record.scene);
   auto grains = *record.grains;
   Team team(1);

@@ -30,10 +30,10 @@ struct ContactProblem {
 
 /// The problem of the step that would follow on the last state of a run, from the impulses of the step before. Throws
 /// InputError for a run that has none, or whose walls move or grains bear loads.
-ContactProblem next_contact_problem(const Record& record);
+ContactProblem next_contact_problem(const Record<2>& record);
 
 /// The same under these loads on the grains. The record must be of contact dynamics, with walls that stand still.
-ContactProblem pose_contact_problem(const Record& record, const std::vector<Load<2>>& loads);
+ContactProblem pose_contact_problem(const Record<2>& record, const std::vector<Load<2>>& loads);
 
 /// Throws RunError.
 void write_contact_problem(const std::string& path, const ContactProblem& problem);

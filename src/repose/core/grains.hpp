@@ -4,6 +4,7 @@
 
 #include "repose/core/archive.hpp"
 #include "repose/core/errors.hpp"
+#include "repose/core/inertia_factor.hpp"
 #include "repose/core/vec.hpp"
 
 #include <cstdint>
@@ -33,10 +34,6 @@ struct HalfStep {
   Vec<D> velocity{};       ///< [L/T]
   Spin<D> rim_velocity{};  ///< [L/T]
 };
-
-/// 1 / (I / m r^2): a disc has I = m r^2 / 2, a sphere 2/5 m r^2.
-template <int D>
-inline constexpr double inverse_inertia_factor = D == 2 ? 2.0 : 2.5;
 
 /// The grains of a simulation: `line` holds what pair forces need, and each further property has an array. All arrays
 /// have one entry per grain, in memory order, which follows space and changes. `id` is stable and names a grain in

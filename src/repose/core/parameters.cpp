@@ -6,6 +6,8 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <cstddef>
+#include <span>
 
 namespace repose {
 
@@ -20,9 +22,13 @@ Cases(Functions...) -> Cases<Functions...>;
 
 std::string number_text(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
 
-std::string vector_text(const std::array<double, 2>& value) { return fmt::format("[{}, {}]", value[0], value[1]); }
+std::string vector_text(std::span<const double> value) { return fmt::format("[{}]", fmt::join(value, ", ")); }
 
 }  // namespace
+
+std::string coordinates_text(const Coordinates& numbers, std::int64_t dimension) {
+  return vector_text(std::span(numbers).first(static_cast<std::size_t>(dimension)));
+}
 
 bool Bounds::hold(double x) const {
   const bool within = (low_allowed ? x >= low : x > low) && (high_allowed ? x <= high : x < high);
@@ -112,7 +118,9 @@ bool take_default(const Parameters::Item& item) {
                             return has;
                           },
                           [](const Parameters::Vector& it) {
-                            it.value = it.fallback.value_or(std::array<double, 2>{});
+                            for (std::size_t k = 0; k < it.value.size(); ++k) {
+                              it.value[k] = it.fallback ? (*it.fallback)[k] : 0.0;
+                            }
                             return it.fallback.has_value();
                           },
                           [](const Parameters::List& it) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/coordinates.hpp"
+
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -9,6 +11,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -115,8 +118,8 @@ class Parameters {
     const std::vector<Word>& words;
   };
   struct Vector {
-    std::array<double, 2>& value;
-    std::optional<std::array<double, 2>> fallback;  ///< none: it must be given
+    std::span<double> value;
+    std::optional<std::vector<double>> fallback;  ///< of as many numbers; none: it must be given
   };
   struct List {
     std::vector<double>& values;
@@ -183,7 +186,13 @@ class Parameters {
   }
   void vector(std::string_view name, std::array<double, 2>& value, std::optional<std::array<double, 2>> fallback,
               std::string_view unit, std::string_view about) {
-    show({name, unit, about, Vector{value, fallback}});
+    show({name, unit, about, Vector{value, numbers_of(fallback, 2)}});
+  }
+  /// The first `dimension` numbers.
+  void vector(std::string_view name, Coordinates& value, std::int64_t dimension, std::optional<Coordinates> fallback,
+              std::string_view unit, std::string_view about) {
+    const auto count = static_cast<std::size_t>(dimension);
+    show({name, unit, about, Vector{std::span(value).first(count), numbers_of(fallback, count)}});
   }
   void numbers(std::string_view name, std::vector<double>& values, std::string_view unit, std::string_view about) {
     show({name, unit, about, List{values}});
@@ -214,6 +223,14 @@ class Parameters {
  protected:
   virtual void show(const Item& item) = 0;
   friend class Prefixed;
+
+ private:
+  template <std::size_t N>
+  static std::optional<std::vector<double>> numbers_of(const std::optional<std::array<double, N>>& from,
+                                                       std::size_t count) {
+    if (!from) return std::nullopt;
+    return std::vector<double>(from->begin(), from->begin() + static_cast<std::ptrdiff_t>(count));
+  }
 };
 
 /// Shows parameters with a prefix before their names: "stiffness" as "contact.normal.stiffness".

@@ -121,14 +121,25 @@ double SizeDistribution::quantile(double u) const {
   return std::clamp(kind_ == Kind::log_normal ? reproducible::exp(x) : x, smallest_, largest_);
 }
 
-double SizeDistribution::mean_square() const {
+namespace {
+
+/// The mean of a function of the diameter.
+template <class Of>
+double mean_of(const SizeDistribution& sizes, const Of& of) {
   constexpr int parts = 4096;
   double sum = 0.0;
-  for (int k = 0; k < parts; ++k) {
-    const double diameter = quantile((k + 0.5) / parts);
-    sum += diameter * diameter;
-  }
+  for (int k = 0; k < parts; ++k) sum += of(sizes.quantile((k + 0.5) / parts));
   return sum / parts;
+}
+
+}  // namespace
+
+double SizeDistribution::mean_square() const {
+  return mean_of(*this, [](double diameter) { return diameter * diameter; });
+}
+
+double SizeDistribution::mean_cube() const {
+  return mean_of(*this, [](double diameter) { return diameter * diameter * diameter; });
 }
 
 }  // namespace repose

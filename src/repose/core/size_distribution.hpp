@@ -32,8 +32,10 @@ class SizeDistribution {
   double smallest() const { return smallest_; }
   double largest() const { return largest_; }
 
-  /// Mean square diameter [L^2]; the mean mass of a disc is proportional to it.
+  /// Mean square diameter [L^2] and mean cube [L^3]; the mean masses of a disc and of a sphere are proportional to
+  /// them.
   double mean_square() const;
+  double mean_cube() const;
 
  private:
   enum class Kind { uniform, normal, log_normal, table, sieve };

@@ -2,28 +2,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace repose {
 
 /// A moving grain at one time of a track. Single precision suffices to find the grains that have moved.
+template <int D>
 struct TrackedGrain {
   std::int64_t id = 0;
-  float x = 0.0F;               ///< [L] wrapped into a periodic box
-  float y = 0.0F;               ///< [L]
-  float radius = 0.0F;          ///< [L]
-  float kinetic_energy = 0.0F;  ///< [M L^2/T^2] translation and rotation
-  bool in_heap = false;         ///< whether it has a contact
+  std::array<float, D> position{};  ///< [L] wrapped into a periodic box
+  float radius = 0.0F;              ///< [L]
+  float kinetic_energy = 0.0F;      ///< [M L^2/T^2] translation and rotation
+  bool in_heap = false;             ///< whether it has a contact
 };
 
 /// The moving grains at one time, by ascending id.
+template <int D>
 struct TrackMoment {
   double time = 0.0;  ///< [T]
-  std::vector<TrackedGrain> grains;
+  std::vector<TrackedGrain<D>> grains;
 };
 
 /// The moving grains at regular times of a run.
-using Track = std::vector<TrackMoment>;
+template <int D>
+using Track = std::vector<TrackMoment<D>>;
 
 }  // namespace repose

@@ -40,7 +40,7 @@ BaseSums sums_of_floor(const BaseProfile& recorded, const ContactProblem& posed)
 
 }  // namespace
 
-BaseSums base_sums(const Record& record, const ContactProblem& posed) {
+BaseSums base_sums(const Record<2>& record, const ContactProblem& posed) {
   if (record.scene.base->wall(record.scene)) return sums_of_floor(record.base, posed);
   std::unordered_map<std::int64_t, std::size_t> body;
   for (std::size_t k = 0; k < posed.places.size(); ++k) body.emplace(posed.places[k].id, k);

@@ -33,6 +33,6 @@ struct BaseSums {
   }
 };
 
-BaseSums base_sums(const Record& record, const ContactProblem& posed);
+BaseSums base_sums(const Record<2>& record, const ContactProblem& posed);
 
 }  // namespace repose

@@ -40,7 +40,7 @@ bool goes_straight(const WallMotion<2>& motion) {
 }
 
 /// The record with these walls at rest where they are, and the grains that they carry along at rest too.
-Record with_standing_walls(Record record) {
+Record<2> with_standing_walls(Record<2> record) {
   if (std::none_of(record.walls.begin(), record.walls.end(),
                    [](const auto& w) { return goes_straight(w.wall.motion); })) {
     return record;
@@ -52,8 +52,8 @@ Record with_standing_walls(Record record) {
   }
   record.grains = OrderedGrains<2>(std::move(grains), record.box);
   auto wall = record.walls.begin() + (record.scene.base->wall(record.scene) ? 1 : 0);
-  const auto shifted = [](std::array<double, 2> point, const Vec<2>& shift) {
-    return std::array<double, 2>{point[0] + shift[0], point[1] + shift[1]};
+  const auto shifted = [](const Coordinates& point, const Vec<2>& shift) {
+    return Coordinates{point[0] + shift[0], point[1] + shift[1], 0.0};
   };
   for (auto* walls : {&record.scene.planes, &record.scene.pieces}) {
     for (auto& from : *walls) {
@@ -70,7 +70,7 @@ Record with_standing_walls(Record record) {
   return record;
 }
 
-std::string reason_against(const Record& record) {
+std::string reason_against(const Record<2>& record) {
   if (record.facts.status == Status::failed) return "the run failed: its last state is not to be trusted";
   if (!(record.scene.grain_weight() > 0.0)) return "grains have no weight";
   if (std::any_of(record.walls.begin(), record.walls.end(), [](const auto& w) {
@@ -82,8 +82,8 @@ std::string reason_against(const Record& record) {
 }
 
 /// The loads that act at the time of the record. A load that names no grain acts on the one that is now nearest.
-std::vector<Load<2>> loads_at(const Record& record) {
-  Loads loads(record.scene, make_method(record.scene)->time_steps());
+std::vector<Load<2>> loads_at(const Record<2>& record) {
+  Loads<2> loads(record.scene, make_method(record.scene)->time_steps());
   loads.begin_due(record.facts.time, *record.grains);
   return loads.acting();
 }
@@ -109,7 +109,8 @@ std::vector<std::size_t> touching(const ContactProblem& posed, double contact_ga
   return found;
 }
 
-std::vector<Vec<2>> outer_forces(const Record& record, const ContactProblem& posed, const std::vector<Load<2>>& loads) {
+std::vector<Vec<2>> outer_forces(const Record<2>& record, const ContactProblem& posed,
+                                 const std::vector<Load<2>>& loads) {
   const double weight = record.scene.grain_weight();
   std::vector<Vec<2>> outer(posed.places.size());
   for (std::size_t k = 0; k < posed.places.size(); ++k) {
@@ -123,7 +124,7 @@ std::vector<Vec<2>> outer_forces(const Record& record, const ContactProblem& pos
 }
 
 /// The loaded part of the base that the dip index refers to.
-std::optional<BaseDip> dip_of(const Results& results, const BaseProfile& recorded) {
+std::optional<BaseDip> dip_of(const Results<2>& results, const BaseProfile& recorded) {
   return results.dip ? results.dip : base_dip(recorded);
 }
 
@@ -271,7 +272,7 @@ struct WallSums {
   ForceSum sides;  ///< outwards, on the left and the right wall
 };
 
-WallSums wall_sums(const Record& record, const PipeWalls& pipe, const ContactProblem& posed) {
+WallSums wall_sums(const Record<2>& record, const PipeWalls& pipe, const ContactProblem& posed) {
   WallSums sums;
   if (record.column_series.empty() || !pipe.floor) return sums;
   const double middle = record.walls[*pipe.floor].wall.point[1] + record.column_series.back().centre;
@@ -289,7 +290,7 @@ WallSums wall_sums(const Record& record, const PipeWalls& pipe, const ContactPro
   return sums;
 }
 
-ContactForces cold_forces(const Record& record, ContactProblem posed, ForceRange& range) {
+ContactForces cold_forces(const Record<2>& record, ContactProblem posed, ForceRange& range) {
   const auto& limits = *record.scene.method->solver();
   contact_dynamics::SolverSettings settings;
   settings.tolerance = limits.tolerance;
@@ -300,7 +301,7 @@ ContactForces cold_forces(const Record& record, ContactProblem posed, ForceRange
 
 }  // namespace
 
-ForceRange force_range(const Record& given, const Results& results) {
+ForceRange force_range(const Record<2>& given, const Results<2>& results) {
   const auto record = with_standing_walls(given);
   const auto& scene = record.scene;
   if (scene.method->solver() == nullptr) {

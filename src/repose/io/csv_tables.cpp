@@ -55,8 +55,8 @@ void print_cell(WholeFile& file, const CsvColumn& column, std::size_t row) {
       *column.values);
 }
 
-/// What the columns of a dataset of several are called behind its name: walls by theirs, the two of a vector x and y,
-/// two ids first and second, others by number.
+/// What the columns of a dataset of several are called behind its name: walls by theirs, those of a vector x, y and z,
+/// two ids first and second, others by number, as the slices of a column.
 std::vector<std::string> column_names(const Hdf5Reader& file, const std::string& group, const Values& values,
                                       std::size_t width) {
   if (group == "series" && file.has("walls/name")) {
@@ -64,6 +64,7 @@ std::vector<std::string> column_names(const Hdf5Reader& file, const std::string&
   }
   if (width == 2 && std::holds_alternative<std::vector<std::int64_t>>(values)) return {"first", "second"};
   if (width == 2) return {"x", "y"};
+  if (width == 3 && group != "column") return {"x", "y", "z"};
   std::vector<std::string> names;
   for (std::size_t k = 0; k < width; ++k) names.push_back(fmt::format("{}", k));
   return names;
@@ -75,7 +76,7 @@ void print_notes(WholeFile& file, const Hdf5Reader& source, const CsvTable& tabl
     file.print("# {} = {}\n", name, on_one_line(value));
   }
   auto described = table.datasets;
-  if (table.grid) described.insert(described.begin(), {"x", "y"});
+  if (table.grid) described.insert(described.begin(), table.axes.begin(), table.axes.end());
   for (const auto& name : described) {
     const auto path = table.group + "/" + name;
     const auto unit = source.text_or(path, "unit", "");
@@ -95,14 +96,19 @@ void put_arguments_first(std::vector<std::string>& datasets) {
 
 std::optional<CsvTable> grid_of(const Hdf5Reader& file, const std::string& group,
                                 const std::vector<std::string>& names) {
-  const auto x = file.shape(group + "/x");
-  const auto y = file.shape(group + "/y");
-  if (x.size() != 1 || y.size() != 1) return std::nullopt;
-  CsvTable table{group, group, {}, true};
-  for (const auto& name : names) {
-    if (file.shape(group + "/" + name) == std::vector<std::size_t>{y[0], x[0]}) table.datasets.push_back(name);
+  const std::array<std::array<std::string, 2>, 2> known{{{"x", "y"}, {"r", "z"}}};
+  for (const auto& axes : known) {
+    const auto first = file.shape(group + "/" + axes[0]);
+    const auto second = file.shape(group + "/" + axes[1]);
+    if (first.size() != 1 || second.size() != 1) continue;
+    CsvTable table{group, group, {}, true, axes};
+    for (const auto& name : names) {
+      if (file.shape(group + "/" + name) == std::vector<std::size_t>{second[0], first[0]})
+        table.datasets.push_back(name);
+    }
+    if (!table.datasets.empty()) return table;
   }
-  return table.datasets.empty() ? std::nullopt : std::optional(table);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -115,7 +121,8 @@ std::vector<CsvTable> csv_tables(const Hdf5Reader& file) {
     if (grid) tables.push_back(*grid);
     const auto in_grid = [&](const std::string& name) {
       const auto& taken = grid->datasets;
-      return name == "x" || name == "y" || std::find(taken.begin(), taken.end(), name) != taken.end();
+      return name == grid->axes[0] || name == grid->axes[1] ||
+             std::find(taken.begin(), taken.end(), name) != taken.end();
     };
     std::map<std::size_t, CsvTable> by_length;
     for (const auto& name : names) {
@@ -146,11 +153,11 @@ void write_csv(const std::string& path, const Hdf5Reader& file, const CsvTable& 
   std::vector<CsvColumn> columns;
   std::size_t rows = 0;
   if (table.grid) {
-    const auto x = file.shape(table.group + "/x")[0];
-    const auto y = file.shape(table.group + "/y")[0];
-    rows = x * y;
-    columns.push_back({"x", &(values["x"] = file.values(table.group + "/x")), 0, 1, 1, x});
-    columns.push_back({"y", &(values["y"] = file.values(table.group + "/y")), 0, 1, x, rows});
+    const auto& [first, second] = table.axes;
+    const auto places = file.shape(table.group + "/" + first)[0];
+    rows = places * file.shape(table.group + "/" + second)[0];
+    columns.push_back({first, &(values[first] = file.values(table.group + "/" + first)), 0, 1, 1, places});
+    columns.push_back({second, &(values[second] = file.values(table.group + "/" + second)), 0, 1, places, rows});
     for (const auto& name : table.datasets) {
       columns.push_back({name, &(values[name] = file.values(table.group + "/" + name)), 0, 1, 1, rows});
     }

@@ -4,6 +4,7 @@
 
 #include "repose/io/hdf5_reader.hpp"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -14,12 +15,14 @@ struct CsvTable {
   std::string name;  ///< "GROUP" or "GROUP_DATASET"
   std::string group;
   std::vector<std::string> datasets;
-  bool grid = false;  ///< a row for each place of a grid: `datasets` have the shape (rows of y, columns of x)
+  /// A row for each place of a grid: `datasets` have the shape (places along the second axis, places along the first).
+  bool grid = false;
+  std::array<std::string, 2> axes{"x", "y"};  ///< datasets of a grid with the places along its axes
 };
 
 /// The tables that a file holds, whatever it is about. Datasets of a group that are equally long share a table; the one
 /// with the most datasets has the name of the group, others add that of their first dataset to it. Where a group has
-/// x (n), y (m) and datasets of shape (m, n), these are its main table.
+/// x (n), y (m), or r (n), z (m), and datasets of shape (m, n), these are its main table.
 std::vector<CsvTable> csv_tables(const Hdf5Reader& file);
 
 /// Writes a table: units, meanings and the attributes of the group in lines that begin with #, a line of names, then

@@ -105,11 +105,13 @@ constexpr Known known_columns[] = {
     {"omega0", GrainColumn::spin_x},
     {"angularvelocityx", GrainColumn::spin_x},
     {"spinx", GrainColumn::spin_x},
+    {"spin0", GrainColumn::spin_x},
     {"wx", GrainColumn::spin_x},
     {"omegay", GrainColumn::spin_y},
     {"omega1", GrainColumn::spin_y},
     {"angularvelocityy", GrainColumn::spin_y},
     {"spiny", GrainColumn::spin_y},
+    {"spin1", GrainColumn::spin_y},
     {"wy", GrainColumn::spin_y},
     {"omegaz", GrainColumn::spin_z},
     {"omega", GrainColumn::spin_z},
@@ -117,6 +119,7 @@ constexpr Known known_columns[] = {
     {"angularvelocity", GrainColumn::spin_z},
     {"angularvelocityz", GrainColumn::spin_z},
     {"spinz", GrainColumn::spin_z},
+    {"spin2", GrainColumn::spin_z},
     {"wz", GrainColumn::spin_z},
     {"r", GrainColumn::radius},
     {"rad", GrainColumn::radius},
@@ -189,13 +192,14 @@ std::array<std::string, 3> axes_of(Plane plane) {
   }
 }
 
-GrainLines::GrainLines(FileProblems& problems, std::vector<Column> columns, Plane plane, std::array<Scaling, 3> scaling)
-    : problems_(problems), columns_(std::move(columns)), downward_spin_(plane == Plane::xz), scaling_(scaling) {
+GrainLines::GrainLines(FileProblems& problems, std::vector<Column> columns, const ReaderOptions& options,
+                       std::array<Scaling, 3> scaling)
+    : problems_(problems), columns_(std::move(columns)), downward_spin_(options.plane == Plane::xz), scaling_(scaling) {
   for (auto& column : columns_) {
-    column.column = in_plane(column.column, plane);
+    column.column = in_plane(column.column, options.plane);
     const bool across = column.column == GrainColumn::vz || column.column == GrainColumn::spin_x ||
                         column.column == GrainColumn::spin_y;
-    if (across) column.column = GrainColumn::none;
+    if (across && !options.in_space) column.column = GrainColumn::none;
     auto& list = column.column == GrainColumn::none ? left_out_ : used_;
     if (std::find(list.begin(), list.end(), column.name) == list.end()) list.push_back(column.name);
   }
@@ -205,7 +209,7 @@ void GrainLines::read(std::size_t line, const std::vector<std::string_view>& cel
   if (cells.size() != columns_.size()) {
     return problems_.add(line, fmt::format("has {} values; must have {}", cells.size(), columns_.size()));
   }
-  GrainRow row;
+  SeenRow row;
   row.line = line;
   density_ = 0.0;
   for (std::size_t k = 0; k < cells.size(); ++k) {
@@ -223,7 +227,7 @@ bool GrainLines::refuse(std::size_t column, std::size_t line, std::string_view c
 }
 
 /// A word is the name of a type, if the first one was a word too.
-bool GrainLines::set_type(GrainRow& row, std::size_t column, std::size_t line, std::string_view cell) {
+bool GrainLines::set_type(SeenRow& row, std::size_t column, std::size_t line, std::string_view cell) {
   const auto what = columns_[column].column;
   const auto number = integer_of(cell);
   if (!named_types_) named_types_ = !number && !number_of(cell) && !cell.empty();
@@ -249,7 +253,7 @@ bool GrainLines::set_type(GrainRow& row, std::size_t column, std::size_t line, s
   return true;
 }
 
-bool GrainLines::set_number(GrainRow& row, std::size_t column, std::size_t line, std::string_view cell) {
+bool GrainLines::set_number(SeenRow& row, std::size_t column, std::size_t line, std::string_view cell) {
   const auto what = columns_[column].column;
   const auto number = number_of(cell);
   if (!number) return refuse(column, line, cell, "a finite number");
@@ -263,7 +267,7 @@ bool GrainLines::set_number(GrainRow& row, std::size_t column, std::size_t line,
       row.position[1] = place(1);
       break;
     case GrainColumn::z:
-      row.third = place(2);
+      row.position[2] = place(2);
       break;
     case GrainColumn::vx:
       row.velocity[0] = value;
@@ -271,8 +275,17 @@ bool GrainLines::set_number(GrainRow& row, std::size_t column, std::size_t line,
     case GrainColumn::vy:
       row.velocity[1] = value;
       break;
+    case GrainColumn::vz:
+      row.velocity[2] = value;
+      break;
+    case GrainColumn::spin_x:
+      row.spin[0] = value;
+      break;
+    case GrainColumn::spin_y:
+      row.spin[1] = value;
+      break;
     case GrainColumn::spin_z:
-      row.spin = downward_spin_ ? -value : value;
+      row.spin[2] = downward_spin_ ? -value : value;
       break;
     case GrainColumn::radius:
     case GrainColumn::diameter:
@@ -293,7 +306,7 @@ bool GrainLines::set_number(GrainRow& row, std::size_t column, std::size_t line,
   return true;
 }
 
-bool GrainLines::set(GrainRow& row, std::size_t column, std::size_t line, std::string_view cell) {
+bool GrainLines::set(SeenRow& row, std::size_t column, std::size_t line, std::string_view cell) {
   const auto what = columns_[column].column;
   if (what == GrainColumn::none) return true;
   if (is_type(what)) return set_type(row, column, line, cell);
@@ -326,14 +339,14 @@ void GrainLines::count_labels() {
   for (auto& row : rows_) row.material = static_cast<std::uint16_t>(row.type - (from_zero ? 0 : 1));
 }
 
-GrainRow* GrainLines::find(std::int64_t id) {
+SeenRow* GrainLines::find(std::int64_t id) {
   sort_by_id();
   const auto found = std::lower_bound(rows_.begin(), rows_.end(), id,
                                       [](const auto& row, std::int64_t wanted) { return row.id < wanted; });
   return found != rows_.end() && found->id == id ? &*found : nullptr;
 }
 
-void GrainLines::take(GrainsFile& into) {
+void GrainLines::take(SeenFile& into) {
   sort_by_id();
   problems_.check();
   if (rows_.empty()) problems_.stop_without_line("no grains");

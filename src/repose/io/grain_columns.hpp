@@ -61,6 +61,20 @@ struct Scaling {
   double length = 1.0;
 };
 
+/// What a reader is asked for: discs in a plane of the file, or spheres in space.
+struct ReaderOptions : GrainsFileOptions {
+  bool in_space = false;
+
+  /// The axes of the file that places need.
+  std::size_t axes() const { return in_space ? 3 : 2; }
+};
+
+/// A file as its reader gives it, by the axes as in_plane() sees them. Of discs, velocities across the plane and spins
+/// about its axes are left out.
+using SeenFile = GrainsFile<3>;
+using SeenRow = GrainRow<3>;
+using SeenBox = FileBox<3>;
+
 /// Reads grains from lines of cells.
 class GrainLines {
  public:
@@ -71,22 +85,23 @@ class GrainLines {
   };
 
   /// The columns are those of the file, not yet seen in the plane.
-  GrainLines(FileProblems& problems, std::vector<Column> columns, Plane plane, std::array<Scaling, 3> scaling = {});
+  GrainLines(FileProblems& problems, std::vector<Column> columns, const ReaderOptions& options,
+             std::array<Scaling, 3> scaling = {});
 
   /// Reads one line, and adds its problems to the problems of the file.
   void read(std::size_t line, const std::vector<std::string_view>& cells);
 
   /// The grain of an id, for further sections of a file; none if there is none. Ids must be unique by then.
-  GrainRow* find(std::int64_t id);
+  SeenRow* find(std::int64_t id);
 
   /// Fills in the grains, by ascending id if they have ids, the names of their types, and the columns used and left
   /// out. Throws InputError if there was any problem.
-  void take(GrainsFile& into);
+  void take(SeenFile& into);
 
  private:
-  bool set(GrainRow& row, std::size_t column, std::size_t line, std::string_view cell);
-  bool set_number(GrainRow& row, std::size_t column, std::size_t line, std::string_view cell);
-  bool set_type(GrainRow& row, std::size_t column, std::size_t line, std::string_view cell);
+  bool set(SeenRow& row, std::size_t column, std::size_t line, std::string_view cell);
+  bool set_number(SeenRow& row, std::size_t column, std::size_t line, std::string_view cell);
+  bool set_type(SeenRow& row, std::size_t column, std::size_t line, std::string_view cell);
   bool refuse(std::size_t column, std::size_t line, std::string_view cell, const std::string& allowed);
   void sort_by_id();
   void count_labels();
@@ -97,7 +112,7 @@ class GrainLines {
   std::array<Scaling, 3> scaling_;
   std::vector<std::string> used_;
   std::vector<std::string> left_out_;
-  std::vector<GrainRow> rows_;
+  std::vector<SeenRow> rows_;
   std::vector<std::string> types_;  // names of types
   std::optional<bool> named_types_;
   bool labels_ = false;
@@ -109,12 +124,12 @@ class GrainLines {
 void read_rows(TextLines& lines, std::int64_t count, FileProblems& problems, GrainLines& into);
 
 // The readers of the kinds of file, each from its start. Throw InputError.
-GrainsFile read_grains_table(TextLines& lines, FileProblems& problems, const GrainsFileOptions& options);
-GrainsFile read_yade_text(TextLines& lines, FileProblems& problems, const GrainsFileOptions& options);
-GrainsFile read_lammps_dump(TextLines& lines, FileProblems& problems, const GrainsFileOptions& options);
-GrainsFile read_lammps_data(TextLines& lines, FileProblems& problems, const GrainsFileOptions& options);
-GrainsFile read_extended_xyz(TextLines& lines, FileProblems& problems, const GrainsFileOptions& options);
-GrainsFile read_mercury_data(TextLines& lines, FileProblems& problems, const GrainsFileOptions& options);
+SeenFile read_grains_table(TextLines& lines, FileProblems& problems, const ReaderOptions& options);
+SeenFile read_yade_text(TextLines& lines, FileProblems& problems, const ReaderOptions& options);
+SeenFile read_lammps_dump(TextLines& lines, FileProblems& problems, const ReaderOptions& options);
+SeenFile read_lammps_data(TextLines& lines, FileProblems& problems, const ReaderOptions& options);
+SeenFile read_extended_xyz(TextLines& lines, FileProblems& problems, const ReaderOptions& options);
+SeenFile read_mercury_data(TextLines& lines, FileProblems& problems, const ReaderOptions& options);
 
 /// The units that LAMMPS calls "si", "cgs", "micro", "nano" or "lj".
 FileUnits lammps_units(std::string_view name);

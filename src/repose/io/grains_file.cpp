@@ -93,9 +93,7 @@ void refuse_unknown(const Beginning& file, FileProblems& problems) {
   }
 }
 
-}  // namespace
-
-GrainsFile read_grains_file(const std::string& path, const GrainsFileOptions& options) {
+SeenFile read_seen(const std::string& path, const ReaderOptions& options) {
   TextLines lines(path);
   FileProblems problems(path);
   const Beginning beginning(lines);
@@ -109,6 +107,46 @@ GrainsFile read_grains_file(const std::string& path, const GrainsFileOptions& op
   if (is_lammps_data(beginning)) return read_lammps_data(lines, problems, options);
   if (beginning.first_line_starts_with("#format ")) return read_yade_text(lines, problems, options);
   return read_grains_table(lines, problems, options);
+}
+
+GrainsFile<2> in_the_plane(SeenFile file) {
+  GrainsFile<2> made;
+  static_cast<FileFacts&>(made) = static_cast<FileFacts&&>(file);
+  if (file.box) {
+    made.box = {{{file.box->low[0], file.box->low[1]}},
+                {{file.box->high[0], file.box->high[1]}},
+                {file.box->sides[0], file.box->sides[1]},
+                file.box->tilted};
+  }
+  made.grains.reserve(file.grains.size());
+  for (const auto& row : file.grains) {
+    made.grains.push_back({.id = row.id,
+                           .position = {{row.position[0], row.position[1]}},
+                           .velocity = {{row.velocity[0], row.velocity[1]}},
+                           .spin = row.spin[2],
+                           .radius = row.radius,
+                           .mass = row.mass,
+                           .material = row.material,
+                           .fixed = row.fixed,
+                           .base = row.base,
+                           .type = row.type,
+                           .third = row.position[2],
+                           .line = row.line});
+  }
+  return made;
+}
+
+}  // namespace
+
+template <>
+GrainsFile<2> read_grains_file(const std::string& path, const GrainsFileOptions& options) {
+  return in_the_plane(read_seen(path, {options}));
+}
+
+template <>
+GrainsFile<3> read_grains_file(const std::string& path, const GrainsFileOptions& options) {
+  REPOSE_ASSERT(options.plane == Plane::xy);
+  return read_seen(path, {options, true});
 }
 
 }  // namespace repose

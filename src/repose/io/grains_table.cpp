@@ -45,10 +45,10 @@ bool has(const std::vector<GrainColumn>& columns, GrainColumn column) {
   return std::find(columns.begin(), columns.end(), column) != columns.end();
 }
 
-bool has_place_and_size(const std::vector<GrainColumn>& columns, Plane plane) {
+bool has_place_and_size(const std::vector<GrainColumn>& columns, const ReaderOptions& options) {
   std::vector<GrainColumn> seen;
-  for (const auto column : columns) seen.push_back(in_plane(column, plane));
-  return has(seen, GrainColumn::x) && has(seen, GrainColumn::y) &&
+  for (const auto column : columns) seen.push_back(in_plane(column, options.plane));
+  return has(seen, GrainColumn::x) && has(seen, GrainColumn::y) && (!options.in_space || has(seen, GrainColumn::z)) &&
          (has(seen, GrainColumn::radius) || has(seen, GrainColumn::diameter));
 }
 
@@ -115,13 +115,16 @@ std::vector<GrainLines::Column> columns_of(const TableReader& table, const std::
 }
 
 /// Refuses names that lack something, and says what may help.
-void check_names(const TableReader& table, const std::vector<GrainColumn>& quantities, Plane plane,
+void check_names(const TableReader& table, const std::vector<GrainColumn>& quantities, const ReaderOptions& options,
                  FileProblems& problems) {
-  if (has_place_and_size(quantities, plane)) return;
-  const auto axes = axes_of(plane);
-  auto what = fmt::format("must have the columns {}, {}, and radius or diameter", axes[0], axes[1]);
+  if (has_place_and_size(quantities, options)) return;
+  const auto axes = axes_of(options.plane);
+  auto what = fmt::format("must have the columns {}, {}, {}and radius or diameter", axes[0], axes[1],
+                          options.in_space ? "z, " : "");
   for (const auto& [other, name] : {std::pair(Plane::xz, "xz"), std::pair(Plane::yz, "yz")}) {
-    if (plane == Plane::xy && has_place_and_size(quantities, other)) {
+    const bool helps =
+        !options.in_space && options.plane == Plane::xy && has_place_and_size(quantities, {{.plane = other}});
+    if (helps) {
       what += fmt::format("; for these set start.plane = \"{}\"", name);
       break;
     }
@@ -133,18 +136,18 @@ void check_names(const TableReader& table, const std::vector<GrainColumn>& quant
 
 }  // namespace
 
-GrainsFile read_grains_table(TextLines& lines, FileProblems& problems, const GrainsFileOptions& options) {
+SeenFile read_grains_table(TextLines& lines, FileProblems& problems, const ReaderOptions& options) {
   TableReader table(lines, problems, [&](const std::vector<ColumnName>& names) {
-    return has_place_and_size(quantities_of(names), options.plane);
+    return has_place_and_size(quantities_of(names), options);
   });
   const auto quantities = quantities_of(table.columns());
-  check_names(table, quantities, options.plane, problems);
-  GrainsFile file;
+  check_names(table, quantities, options, problems);
+  SeenFile file;
   file.format = "table";
   std::optional<GrainLines> grains;
   const auto begin = [&] {
     file.units = units_of(table.columns(), quantities);
-    grains.emplace(problems, columns_of(table, quantities, file.units, problems), options.plane);
+    grains.emplace(problems, columns_of(table, quantities, file.units, problems), options);
   };
   while (table.next()) {
     if (!grains) begin();  // a row of units may have followed the names
@@ -156,7 +159,7 @@ GrainsFile read_grains_table(TextLines& lines, FileProblems& problems, const Gra
 }
 
 /// The first line is "#format x_y_z_r", which names the columns.
-GrainsFile read_yade_text(TextLines& lines, FileProblems& problems, const GrainsFileOptions& options) {
+SeenFile read_yade_text(TextLines& lines, FileProblems& problems, const ReaderOptions& options) {
   std::string text;
   std::vector<std::string_view> cells;
   lines.next(text);
@@ -174,12 +177,12 @@ GrainsFile read_yade_text(TextLines& lines, FileProblems& problems, const Grains
   }
   std::vector<GrainColumn> quantities;
   for (const auto& column : columns) quantities.push_back(column.column);
-  if (!has_place_and_size(quantities, options.plane)) {
+  if (!has_place_and_size(quantities, options)) {
     problems.stop(1,
                   fmt::format("the format {} of YADE has no positions and radii; export it as x_y_z_r or x_y_z_r_matId",
                               shown(format)));
   }
-  GrainsFile file;
+  SeenFile file;
   file.format = "text export of YADE, " + format;
   const std::size_t known = columns.size();
   std::optional<GrainLines> grains;
@@ -195,10 +198,10 @@ GrainsFile read_yade_text(TextLines& lines, FileProblems& problems, const Grains
     while (attributes && !grains && columns.size() < cells.size()) {
       columns.push_back({GrainColumn::none, fmt::format("attribute {}", columns.size() - known + 1)});
     }
-    if (!grains) grains.emplace(problems, columns, options.plane);
+    if (!grains) grains.emplace(problems, columns, options);
     grains->read(lines.number(), cells);
   }
-  if (!grains) grains.emplace(problems, columns, options.plane);
+  if (!grains) grains.emplace(problems, columns, options);
   grains->take(file);
   return file;
 }

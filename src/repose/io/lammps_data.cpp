@@ -16,10 +16,10 @@ namespace {
 /// names.
 class DataFile {
  public:
-  DataFile(TextLines& lines, FileProblems& problems, const GrainsFileOptions& options)
-      : lines_(lines), problems_(problems), plane_(options.plane) {}
+  DataFile(TextLines& lines, FileProblems& problems, const ReaderOptions& options)
+      : lines_(lines), problems_(problems), options_(options) {}
 
-  GrainsFile read() {
+  SeenFile read() {
     next();
     find_units();
     std::string section;
@@ -79,15 +79,15 @@ class DataFile {
     const auto& cells = cells_;
     if (cells.size() == 2 && cells[1] == "atoms") count_ = integer_of(cells[0]);
     if (cells.size() != 4) return;
-    const auto axes = axes_of(plane_);
-    for (int k = 0; k < 2; ++k) {
-      const auto& axis = axes[static_cast<std::size_t>(k)];
+    const auto axes = axes_of(options_.plane);
+    for (std::size_t k = 0; k < options_.axes(); ++k) {
+      const auto& axis = axes[k];
       if (cells[2] != axis + "lo" || cells[3] != axis + "hi") continue;
       const auto low = number_of(cells[0]);
       const auto high = number_of(cells[1]);
       if (!low || !high) problems_.stop(lines_.number(), "must be the bounds of the box");
-      box_.low[k] = *low;
-      box_.high[k] = *high;
+      box_.low[static_cast<int>(k)] = *low;
+      box_.high[static_cast<int>(k)] = *high;
       box_given_ = true;
     }
   }
@@ -141,13 +141,13 @@ class DataFile {
     if (cells_.size() == with_images) {
       for (const char* name : {"ix", "iy", "iz"}) columns.push_back({GrainColumn::none, name});
     }
-    grains_.emplace(problems_, columns, plane_);
+    grains_.emplace(problems_, columns, options_);
   }
 
   /// id vx vy vz wx wy wz.
   void read_velocities() {
     if (!grains_ || !count_) problems_.stop(lines_.number(), "Velocities must follow Atoms");
-    const auto axis = [&](std::size_t k) { return static_cast<std::size_t>(axes_of(plane_)[k][0] - 'x'); };
+    const auto axis = [&](std::size_t k) { return static_cast<std::size_t>(axes_of(options_.plane)[k][0] - 'x'); };
     read_section(*count_, [&] {
       constexpr std::size_t columns = 7;
       const auto id = cells_.empty() ? std::nullopt : integer_of(cells_[0]);
@@ -162,21 +162,22 @@ class DataFile {
           return problems_.add(lines_.number(), fmt::format("{}: must be a finite number", shown(cells_[k + 1])));
         values[k] = *value;
       }
-      row->velocity = {{values[axis(0)], values[axis(1)]}};
+      for (std::size_t k = 0; k < options_.axes(); ++k) row->velocity[static_cast<int>(k)] = values[axis(k)];
+      if (options_.in_space) return void(row->spin = {{values[3], values[4], values[5]}});
       const double spin = values[3 + axis(2)];
-      row->spin = plane_ == Plane::xz ? -spin : spin;
+      row->spin[2] = options_.plane == Plane::xz ? -spin : spin;
     });
   }
 
   TextLines& lines_;
   FileProblems& problems_;
-  GrainsFile file_;
-  Plane plane_;
+  SeenFile file_;
+  ReaderOptions options_;
   std::string text_;
   std::string comment_;
   std::vector<std::string_view> cells_;
   std::optional<std::int64_t> count_;
-  FileBox box_;
+  SeenBox box_;
   bool box_given_ = false;
   std::map<std::string, std::string> labels_;  // of types: their numbers
   std::optional<GrainLines> grains_;
@@ -184,7 +185,7 @@ class DataFile {
 
 }  // namespace
 
-GrainsFile read_lammps_data(TextLines& lines, FileProblems& problems, const GrainsFileOptions& options) {
+SeenFile read_lammps_data(TextLines& lines, FileProblems& problems, const ReaderOptions& options) {
   return DataFile(lines, problems, options).read();
 }
 

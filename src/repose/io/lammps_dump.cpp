@@ -41,15 +41,16 @@ constexpr Ending endings[] = {{"", false}, {"u", false}, {"s", true}, {"su", tru
 /// Reads a dump item by item.
 class Dump {
  public:
-  Dump(TextLines& lines, FileProblems& problems, const GrainsFileOptions& options)
-      : lines_(lines), problems_(problems), plane_(options.plane), wanted_(options.step) {}
+  Dump(TextLines& lines, FileProblems& problems, const ReaderOptions& options)
+      : lines_(lines), problems_(problems), options_(options) {}
 
-  GrainsFile read() {
+  SeenFile read() {
     while (next()) read_item(false);
     if (!started_) problems_.stop(1, "no snapshot: no ITEM: TIMESTEP");
-    if (!complete_ && (wanted_ == last_snapshot || !start_))
+    if (!complete_ && (options_.step == last_snapshot || !start_))
       problems_.stop(line(), "the file ends in the middle of a snapshot");
-    if (!start_) problems_.stop(line(), fmt::format("no snapshot of step {}; the last is of step {}", wanted_, step_));
+    if (!start_)
+      problems_.stop(line(), fmt::format("no snapshot of step {}; the last is of step {}", options_.step, step_));
     lines_.rewind();
     while (line() < *start_) lines_.next(text_);
     started_ = false;
@@ -91,7 +92,7 @@ class Dump {
       const auto step = cells_.size() == 1 ? integer_of(cells_.front()) : std::nullopt;
       if (!step) problems_.stop(line(), "must be the number of a step");
       step_ = *step;
-      if (wanted_ == last_snapshot || step_ == wanted_) start_ = before;
+      if (options_.step == last_snapshot || step_ == options_.step) start_ = before;
     } else if (is({"UNITS"})) {
       demand_next("a snapshot");
       if (!cells_.empty()) file_.units = lammps_units(cells_.front());
@@ -129,10 +130,10 @@ class Dump {
       if (!low || !high) problems_.stop(line(), "must be the bounds of the box");
       box_[axis] = {*low, *high - *low};
     }
-    FileBox box;
+    SeenBox box;
     box.tilted = tilted_;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const auto axis = static_cast<std::size_t>(axes_of(plane_)[k][0] - 'x');
+    for (std::size_t k = 0; k < options_.axes(); ++k) {
+      const auto axis = static_cast<std::size_t>(axes_of(options_.plane)[k][0] - 'x');
       box.low[static_cast<int>(k)] = box_[axis].origin;
       box.high[static_cast<int>(k)] = box_[axis].origin + box_[axis].length;
       box.sides[k] = sides[axis];
@@ -161,22 +162,29 @@ class Dump {
     const auto has = [&](const std::string& name) {
       return std::find(given.begin(), given.end(), name) != given.end();
     };
-    const auto axes = axes_of(plane_);
-    const auto* ending = std::find_if(std::begin(endings), std::end(endings),
-                                      [&](const auto& e) { return has(axes[0] + e.name) && has(axes[1] + e.name); });
+    const auto axes = axes_of(options_.plane);
+    const auto* ending = std::find_if(std::begin(endings), std::end(endings), [&](const auto& e) {
+      return std::all_of(axes.begin(), axes.begin() + static_cast<std::ptrdiff_t>(options_.axes()),
+                         [&](const auto& axis) { return has(axis + e.name); });
+    });
+    const auto places = [&](const std::string& end) {
+      std::string names;
+      for (std::size_t k = 0; k < options_.axes(); ++k) names += (k == 0 ? "" : " ") + axes[k] + end;
+      return names;
+    };
     if (ending == std::end(endings) || (!has("radius") && !has("diameter"))) {
       problems_.stop(line(),
-                     fmt::format("must have the columns {0} {1} (or {0}u {1}u, {0}s {1}s, {0}su {1}su) and radius or "
-                                 "diameter: dump custom ... id type x y z radius",
-                                 axes[0], axes[1]));
+                     fmt::format("must have the columns {} (or {}, {}, {}) and radius or diameter: dump custom ... id "
+                                 "type x y z radius",
+                                 places(""), places("u"), places("s"), places("su")));
     }
     if (ending->scaled && tilted_) problems_.stop(line(), "scaled positions in a tilted box: dump x y or xu yu");
     std::vector<GrainLines::Column> columns;
-    constexpr std::array<GrainColumn, 3> places{GrainColumn::x, GrainColumn::y, GrainColumn::z};
+    constexpr std::array<GrainColumn, 3> vector{GrainColumn::x, GrainColumn::y, GrainColumn::z};
     for (const auto& name : given) {
       auto column = GrainColumn::none;  // a column for other programs
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (name == std::string(1, static_cast<char>('x' + axis)) + ending->name) column = places[axis];
+        if (name == std::string(1, static_cast<char>('x' + axis)) + ending->name) column = vector[axis];
       }
       for (const auto& known : names) {
         if (name == known.name) column = known.column;
@@ -185,25 +193,25 @@ class Dump {
       columns.push_back({column, name});
     }
     liggghts_ = std::count(given.begin(), given.end(), "type") > 1;
-    grains_.emplace(problems_, columns, plane_, ending->scaled ? in_order() : std::array<Scaling, 3>{});
+    grains_.emplace(problems_, columns, options_, ending->scaled ? in_order() : std::array<Scaling, 3>{});
   }
 
   /// The box along the axes of the plane, and across it.
   std::array<Scaling, 3> in_order() const {
     std::array<Scaling, 3> scaling;
-    for (std::size_t k = 0; k < 3; ++k) scaling[k] = box_[static_cast<std::size_t>(axes_of(plane_)[k][0] - 'x')];
+    for (std::size_t k = 0; k < 3; ++k)
+      scaling[k] = box_[static_cast<std::size_t>(axes_of(options_.plane)[k][0] - 'x')];
     return scaling;
   }
 
   TextLines& lines_;
   FileProblems& problems_;
-  GrainsFile file_;
-  Plane plane_;
+  SeenFile file_;
+  ReaderOptions options_;
   std::string text_;
   std::vector<std::string_view> cells_;  // of the current line
-  std::int64_t wanted_;
-  std::int64_t step_ = 0;             // step of the latest snapshot
-  std::optional<std::size_t> start_;  // the line before the wanted snapshot
+  std::int64_t step_ = 0;                // step of the latest snapshot
+  std::optional<std::size_t> start_;     // the line before the wanted snapshot
   bool started_ = false;
   bool complete_ = false;
   bool tilted_ = false;
@@ -235,7 +243,7 @@ FileUnits lammps_units(std::string_view name) {
   return units;
 }
 
-GrainsFile read_lammps_dump(TextLines& lines, FileProblems& problems, const GrainsFileOptions& options) {
+SeenFile read_lammps_dump(TextLines& lines, FileProblems& problems, const ReaderOptions& options) {
   return Dump(lines, problems, options).read();
 }
 

@@ -39,7 +39,7 @@ std::vector<GrainLines::Column> columns_of(std::size_t head) {
 
 /// Each snapshot begins with a line of the number of grains, the time and the bounds of the box. The last one counts,
 /// or that of a number, from 0.
-GrainsFile read_mercury_data(TextLines& lines, FileProblems& problems, const GrainsFileOptions& options) {
+SeenFile read_mercury_data(TextLines& lines, FileProblems& problems, const ReaderOptions& options) {
   std::string text;
   std::vector<std::string_view> cells;
   std::optional<std::size_t> wanted;  // line of its head
@@ -73,8 +73,9 @@ GrainsFile read_mercury_data(TextLines& lines, FileProblems& problems, const Gra
   if (head == flat_head && options.plane != Plane::xy) {
     problems.stop(*wanted, "is in two dimensions: start.plane must be xy");
   }
-  FileBox box;
-  for (std::size_t k = 0; k < 2; ++k) {
+  if (head == flat_head && options.in_space) problems.stop(*wanted, "is in two dimensions; spheres need three");
+  SeenBox box;
+  for (std::size_t k = 0; k < options.axes(); ++k) {
     const auto axis = static_cast<std::size_t>(axes_of(options.plane)[k][0] - 'x');
     const auto low = number_of(cells[2 + axis]);
     const auto high = number_of(cells[2 + axis + (head - 2) / 2]);
@@ -82,13 +83,13 @@ GrainsFile read_mercury_data(TextLines& lines, FileProblems& problems, const Gra
     box.low[static_cast<int>(k)] = *low;
     box.high[static_cast<int>(k)] = *high;
   }
-  GrainsFile file;
+  SeenFile file;
   file.format = fmt::format(".data file of MercuryDPM in {} dimensions", head == flat_head ? 2 : 3);
   file.box = box;
   file.snapshot = number;
   file.snapshots = static_cast<std::size_t>(frames);
   const auto count = *integer_of(cells.front());
-  GrainLines grains(problems, columns_of(head), options.plane);
+  GrainLines grains(problems, columns_of(head), options);
   read_rows(lines, count, problems, grains);
   grains.take(file);
   return file;

@@ -18,24 +18,40 @@ namespace repose {
 
 namespace {
 
-StartState read_run(const std::string& path) {
+/// "two dimensions".
+std::string dimensions_text(std::int64_t dimension) { return dimension == 3 ? "three dimensions" : "two dimensions"; }
+
+bool all_finite(double number) { return std::isfinite(number); }
+bool all_finite(const Vec<3>& vector) {
+  return std::isfinite(vector[0]) && std::isfinite(vector[1]) && std::isfinite(vector[2]);
+}
+
+double divided(double number, double by) { return number / by; }
+Vec<3> divided(const Vec<3>& vector, double by) { return {{vector[0] / by, vector[1] / by, vector[2] / by}}; }
+
+template <int D>
+StartState<D> read_run(const std::string& path) {
   const Hdf5Reader file(path);
   if (file.text("/", "format") != "repose-run") throw InputError(fmt::format("{}: is not the run.h5 of a run", path));
   if (file.text("/", "status") == "failed") {
     throw InputError(fmt::format("{}: that run failed, so its last state cannot be trusted", path));
   }
-  StartState state;
+  if (const auto dimension = dimension_of_state(file); dimension != D) {
+    throw InputError(
+        fmt::format("{}: is a run in {}, the scene is in {}", path, dimensions_text(dimension), dimensions_text(D)));
+  }
+  StartState<D> state;
   state.format = "run of Repose";
-  const auto grains = read_grains<2>(file);
-  state.contacts = read_contacts<2>(file);
+  const auto grains = read_grains<D>(file);
+  state.contacts = read_contacts<D>(file);
   if (file.has("walls/name")) state.walls = file.texts("walls/name");
   const auto scene = file.texts("scene");
   state.scene = scene.empty() ? "" : scene.front();
   for (std::size_t k = 0; k < grains.size(); ++k) {
     const auto& grain = grains.line[k];
-    const double spin = grain.rim_velocity / grain.radius;
+    const auto spin = divided(grain.rim_velocity, grain.radius);
     const bool sound = std::isfinite(magnitude(grain.position)) && std::isfinite(magnitude(grain.velocity)) &&
-                       std::isfinite(spin) && grain.radius > 0.0 && grain.mass > 0.0;
+                       all_finite(spin) && grain.radius > 0.0 && grain.mass > 0.0;
     if (!sound || (k > 0 && grains.id[k] <= grains.id[k - 1])) {
       throw InputError(fmt::format("{}: grains: the data of grain {} are invalid", path, grains.id[k]));
     }
@@ -60,7 +76,8 @@ std::string start_file(const std::string& from) {
   return fs::is_directory(from, error) ? (fs::path(from) / "run.h5").string() : from;
 }
 
-StartState read_start(const std::string& file, const GrainsFileOptions& options) {
+template <int D>
+StartState<D> read_start(const std::string& file, const GrainsFileOptions& options) {
   std::error_code error;
   if (!fs::exists(file, error)) throw InputError(fmt::format("{}: no such file", file));
   if (!fs::is_regular_file(file, error)) throw InputError(fmt::format("{}: is not a regular file", file));
@@ -69,9 +86,12 @@ StartState read_start(const std::string& file, const GrainsFileOptions& options)
       throw InputError(fmt::format("{}: is a run: it has no snapshot of step {}", file, options.step));
     }
     if (options.plane != Plane::xy) throw InputError(fmt::format("{}: is a run: start.plane must be xy", file));
-    return read_run(file);
+    return read_run<D>(file);
   }
-  return {read_grains_file(file, options), {}, {}, {}};
+  return {read_grains_file<D>(file, options), {}, {}, {}};
 }
+
+template StartState<2> read_start(const std::string&, const GrainsFileOptions&);
+template StartState<3> read_start(const std::string&, const GrainsFileOptions&);
 
 }  // namespace repose

@@ -12,6 +12,26 @@
 
 namespace repose {
 
+namespace {
+
+/// The meaning of a column in the plane or in space.
+template <int D>
+std::string meaning(const char* in_the_plane, const char* in_space) {
+  return D == 2 ? in_the_plane : in_space;
+}
+
+/// The numbers of a vector, or the one of a spin or tangent in the plane, in their order.
+template <int D, class Use>
+void for_each_number(const Vec<D>& vector, const Use& use) {
+  for (int k = 0; k < D; ++k) use(double{vector[k]});
+}
+template <class Use>
+void for_each_number(double number, const Use& use) {
+  use(number);
+}
+
+}  // namespace
+
 template <int D>
 const Columns<std::vector<GrainState<D>>>& grain_state_columns() {
   using Row = GrainState<D>;
@@ -20,7 +40,8 @@ const Columns<std::vector<GrainState<D>>>& grain_state_columns() {
       column("position", &Row::position, "L", "centre"),
       column("velocity", &Row::velocity, "L/T",
              "half a step before the stated time; at it where velocities are synchronised"),
-      column("spin", &Row::spin, "1/T", "angular velocity, counter-clockwise"),
+      column("spin", &Row::spin, "1/T",
+             meaning<D>("angular velocity, counter-clockwise", "angular velocity, along its axis")),
       column("radius", &Row::radius, "L", "radius"),
       column("mass", &Row::mass, "M", "nominal mass, of fixed grains too"),
       column("fixed", &Row::fixed, "", "1: never moves nor turns"),
@@ -42,13 +63,16 @@ const Columns<std::vector<Contact<D>>>& contact_columns() {
       column("relative_overlap", &Row::relative_overlap, "", "overlap over the mean diameter of the pair"),
       column("lever", &Row::first_lever, "L", "from the centre of the first to the contact point"),
       optional(column("normal_force", &Row::normal_force, "M L/T^2", "on the first, positive pushes apart")),
-      optional(column("tangential_force", &Row::tangential_force, "M L/T^2",
-                      "on the first, along the normal turned by +90 degrees")),
+      optional(column(
+          "tangential_force", &Row::tangential_force, "M L/T^2",
+          meaning<D>("on the first, along the normal turned by +90 degrees", "on the first, in the tangent plane"))),
       optional(column("history", &Row::slip, "L",
                       "slip displacement: the relative tangential displacement since the contact closed, kept within "
                       "the Coulomb limit")),
       optional(column("rolling", &Row::rolling, "M L/T^2",
-                      "rolling torque on the first over the roll radius 2 r_i r_j / (r_i + r_j)")),
+                      meaning<D>("rolling torque on the first over the roll radius 2 r_i r_j / (r_i + r_j)",
+                                 "torque on the first that resists rolling, and along the normal twisting, over the "
+                                 "roll radius 2 r_i r_j / (r_i + r_j)"))),
       optional(column("sliding", &Row::sliding, "", "1: at the Coulomb limit")),
   };
   return columns;
@@ -93,9 +117,8 @@ Grains<D> read_grains(const Hdf5Reader& file) {
   grains.reserve(rows.size());
   constexpr double farthest = 1e15;  // times its radius: cells of a grid up to there can be counted
   for (const auto& row : rows) {
-    const bool sound = std::isfinite(row.radius) && row.radius > 0.0 && std::isfinite(row.mass) && row.mass > 0.0 &&
-                       std::fabs(row.position[0]) < farthest * row.radius &&
-                       std::fabs(row.position[1]) < farthest * row.radius;
+    bool sound = std::isfinite(row.radius) && row.radius > 0.0 && std::isfinite(row.mass) && row.mass > 0.0;
+    for (int k = 0; k < D; ++k) sound = sound && std::fabs(row.position[k]) < farthest * row.radius;
     if (!sound) {
       throw InputError(fmt::format("{}: grains: {} has no place, or no radius and mass > 0", file.path(), row.id));
     }
@@ -118,24 +141,34 @@ Contacts<D> read_contacts(const Hdf5Reader& file) {
   return contacts;
 }
 
-std::string state_hash(const Grains<2>& grains, const ContactBlocks<2>& contacts) {
+std::int64_t dimension_of_state(const Hdf5Reader& file) {
+  const auto shape = file.shape("grains/position");
+  const bool sound = shape.size() == 2 && (shape[1] == 2 || shape[1] == 3);
+  if (!sound) throw InputError(fmt::format("{}: grains/position: has neither two nor three columns", file.path()));
+  return static_cast<std::int64_t>(shape[1]);
+}
+
+template <int D>
+std::string state_hash(const Grains<D>& grains, const ContactBlocks<D>& contacts) {
   Hash hash;
   const auto add = [&](const auto& value) { hash.add(&value, sizeof value); };
   hash.add(grains.id);
   for (const auto& grain : grains.line) {
-    for (const double number : {grain.position[0], grain.position[1], grain.velocity[0], grain.velocity[1],
-                                grain.rim_velocity, grain.radius, grain.mass}) {
-      add(number);
-    }
+    for_each_number(grain.position, add);
+    for_each_number(grain.velocity, add);
+    for_each_number(grain.rim_velocity, add);
+    add(grain.radius);
+    add(grain.mass);
   }
   for (const auto& half : grains.half_step) {
-    for (const double number : {half.velocity[0], half.velocity[1], half.rim_velocity}) add(number);
+    for_each_number(half.velocity, add);
+    for_each_number(half.rim_velocity, add);
   }
   contacts.for_each([&](const auto& block) {
     for (const auto& contact : block) {
       add(contact.first);
       add(contact.second);
-      add(contact.slip);
+      for_each_number(contact.slip, add);
     }
   });
   return hash.text();
@@ -147,5 +180,13 @@ template void write_grains(Hdf5File&, const OrderedGrains<2>&);
 template void write_contacts(Hdf5File&, const ContactBlocks<2>&, const OrderedGrains<2>&, bool);
 template Grains<2> read_grains(const Hdf5Reader&);
 template Contacts<2> read_contacts(const Hdf5Reader&);
+template std::string state_hash(const Grains<2>&, const ContactBlocks<2>&);
+template const Columns<std::vector<GrainState<3>>>& grain_state_columns();
+template const Columns<std::vector<Contact<3>>>& contact_columns();
+template void write_grains(Hdf5File&, const OrderedGrains<3>&);
+template void write_contacts(Hdf5File&, const ContactBlocks<3>&, const OrderedGrains<3>&, bool);
+template Grains<3> read_grains(const Hdf5Reader&);
+template Contacts<3> read_contacts(const Hdf5Reader&);
+template std::string state_hash(const Grains<3>&, const ContactBlocks<3>&);
 
 }  // namespace repose

@@ -45,7 +45,11 @@ Grains<D> read_grains(const Hdf5Reader& file);
 template <int D>
 Contacts<D> read_contacts(const Hdf5Reader& file);
 
-/// XXH3-128 of the exact bits of the motion and the contacts, in their order in `grains` and `contacts` (D = 2).
-std::string state_hash(const Grains<2>& grains, const ContactBlocks<2>& contacts);
+/// 2 or 3: the dimension of the grains of a file. Throws InputError where it has none.
+std::int64_t dimension_of_state(const Hdf5Reader& file);
+
+/// XXH3-128 of the exact bits of the motion and the contacts, in their order in `grains` and `contacts`.
+template <int D>
+std::string state_hash(const Grains<D>& grains, const ContactBlocks<D>& contacts);
 
 }  // namespace repose

@@ -79,6 +79,7 @@ void write_vtp(const std::string& path, const VtkPolyData& data) {
   std::iota(vertices.begin(), vertices.end(), 0);
   const auto vertex_ends = ends(vertices.size(), 1);
   const auto line_ends = ends(data.lines.size() / 2, 2);
+  const auto triangle_ends = ends(data.triangles.size() / 3, 3);
   Appended appended;
   WholeFile file(path);
   file.print(
@@ -86,8 +87,8 @@ void write_vtp(const std::string& path, const VtkPolyData& data) {
       "header_type=\"UInt64\">\n<PolyData>\n");
   file.print(
       "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" "
-      "NumberOfPolys=\"0\">\n",
-      points, vertices.size(), line_ends.size());
+      "NumberOfPolys=\"{}\">\n",
+      points, vertices.size(), line_ends.size(), triangle_ends.size());
   file.write(arrays_text("PointData", data.point_data, appended));
   file.write(arrays_text("CellData", data.cell_data, appended));
   file.write("<Points>\n" + array_text("Points", 3, data.points, appended) + "</Points>\n");
@@ -97,6 +98,7 @@ void write_vtp(const std::string& path, const VtkPolyData& data) {
   };
   cells("Verts", vertices, vertex_ends);
   cells("Lines", data.lines, line_ends);
+  if (!data.triangles.empty()) cells("Polys", data.triangles, triangle_ends);
   file.write("</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_");
   appended.write(file);
   file.write("\n</AppendedData>\n</VTKFile>\n");

@@ -17,10 +17,11 @@ struct VtkArray {
   std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<std::uint8_t>> values;
 };
 
-/// Points, and cells of one kind: a vertex for each point, or lines between two points.
+/// Points, and cells of one kind: a vertex for each point, or lines between two points, or triangles.
 struct VtkPolyData {
-  std::vector<double> points;       ///< (n, 3)
-  std::vector<std::int64_t> lines;  ///< (cells, 2) indices of points; empty: vertices
+  std::vector<double> points;           ///< (n, 3)
+  std::vector<std::int64_t> lines;      ///< (cells, 2) indices of points
+  std::vector<std::int64_t> triangles;  ///< (cells, 3) indices of points
   bool vertices = true;
   std::vector<VtkArray> point_data;
   std::vector<VtkArray> cell_data;

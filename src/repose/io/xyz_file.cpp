@@ -94,7 +94,7 @@ std::vector<GrainLines::Column> columns_of(const std::string& properties, std::s
   return columns;
 }
 
-std::optional<FileBox> box_of(const Entries& entries, Plane plane) {
+std::optional<SeenBox> box_of(const Entries& entries, const ReaderOptions& options) {
   const auto lattice = entries.find("lattice");
   if (lattice == entries.end()) return std::nullopt;
   std::vector<std::string_view> words;
@@ -112,9 +112,9 @@ std::optional<FileBox> box_of(const Entries& entries, Plane plane) {
   }
   std::vector<std::string_view> periodic;
   if (const auto given = entries.find("pbc"); given != entries.end()) split(given->second, blanks, periodic);
-  FileBox box;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const auto axis = static_cast<std::size_t>(axes_of(plane)[k][0] - 'x');
+  SeenBox box;
+  for (std::size_t k = 0; k < options.axes(); ++k) {
+    const auto axis = static_cast<std::size_t>(axes_of(options.plane)[k][0] - 'x');
     box.low[static_cast<int>(k)] = origin[axis];
     box.high[static_cast<int>(k)] = origin[axis] + matrix[4 * axis];
     if (axis < periodic.size()) box.sides[k] = truth_of(periodic[axis]).value_or(false) ? "periodic" : "open";
@@ -135,7 +135,7 @@ std::int64_t step_of(const Entries& entries, std::size_t frame) {
 
 }  // namespace
 
-GrainsFile read_extended_xyz(TextLines& lines, FileProblems& problems, const GrainsFileOptions& options) {
+SeenFile read_extended_xyz(TextLines& lines, FileProblems& problems, const ReaderOptions& options) {
   struct Frame {
     std::size_t line;
     std::int64_t count;
@@ -174,12 +174,15 @@ GrainsFile read_extended_xyz(TextLines& lines, FileProblems& problems, const Gra
                   "is an XYZ file without radii; write extended XYZ with pos and radius, as in "
                   "Properties=species:S:1:pos:R:3:radius:R:1");
   }
-  GrainsFile file;
+  if (options.in_space && !has(GrainColumn::z)) {
+    problems.stop(lines.number(), "is an XYZ file in two dimensions; spheres need pos:R:3");
+  }
+  SeenFile file;
   file.format = "extended XYZ file";
-  file.box = box_of(entries, options.plane);
+  file.box = box_of(entries, options);
   file.snapshot = wanted->step;
   file.snapshots = frames;
-  GrainLines grains(problems, columns, options.plane);
+  GrainLines grains(problems, columns, options);
   read_rows(lines, wanted->count, problems, grains);
   grains.take(file);
   return file;

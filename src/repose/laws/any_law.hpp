@@ -104,7 +104,26 @@ inline double reach_of_bonds(const AnyCohesion& chosen, double smallest_diameter
   return std::visit([&](const auto& law) { return reach_of_bonds(law, smallest_diameter); }, chosen.law);
 }
 
-using AnyPairLaw = PairLaw<AnyNormal, AnyTangential, AnyRolling, AnyCohesion>;
+struct AnyTwisting {
+  TwistingLaw law;
+};
+REPOSE_FN double twisting_force(const AnyTwisting& chosen, const Touch<double>& touch,
+                                const NormalForce<double>& normal, double twist_velocity, double dt, double& twist) {
+  return std::visit([&](const auto& law) { return twisting_force(law, touch, normal, twist_velocity, dt, twist); },
+                    chosen.law);
+}
+
+REPOSE_FN double twisted(const AnyTwisting& chosen, const Touch<double>& touch, double twist_velocity, double dt,
+                         double twist) {
+  return std::visit([&](const auto& law) { return twisted(law, touch, twist_velocity, dt, twist); }, chosen.law);
+}
+
+inline double energy_of_twist(const AnyTwisting& chosen, const Touch<double>& touch, const NormalForce<double>& normal,
+                              double twist) {
+  return std::visit([&](const auto& law) { return energy_of_twist(law, touch, normal, twist); }, chosen.law);
+}
+
+using AnyPairLaw = PairLaw<AnyNormal, AnyTangential, AnyRolling, AnyCohesion, AnyTwisting>;
 
 /// Energy [M L^2/T^2] stored by the normal force and the cohesion of a pair in reach.
 inline double elastic_energy(const AnyPairLaw& law, const Touch<double>& touch, bool bonded) {
@@ -114,7 +133,7 @@ inline double elastic_energy(const AnyPairLaw& law, const Touch<double>& touch, 
 }
 
 inline AnyPairLaw any_pair_law(const ContactLaws& laws) {
-  return {{laws.normal}, {laws.tangential}, {laws.rolling}, {laws.cohesion}};
+  return {{laws.normal}, {laws.tangential}, {laws.rolling}, {laws.cohesion}, {laws.twisting}};
 }
 
 }  // namespace repose

@@ -17,8 +17,8 @@
 
 namespace repose {
 
-/// The contact law of rigid grains: Signorini's condition and Coulomb's law with coefficients of restitution, and
-/// rolling friction. Every coefficient of friction may be infinite.
+/// The contact law of rigid grains: Signorini's condition and Coulomb's law with coefficients of restitution, rolling
+/// friction, and of spheres twisting friction. Every coefficient of friction may be infinite.
 /// Source: Bratberg (2003), 4.6-4.8 and paper one, Eq. 6, as corrected in docs/physics/contact_dynamics.md.
 struct ImpulseLaw {
   double restitution = 0.0;             ///< normal velocity after divided by that before, 0 to 1
@@ -27,6 +27,8 @@ struct ImpulseLaw {
   double rolling_friction = 0.0;        ///< tan(theta_r): largest ratio of torque to normal impulse times roll radius
   double dynamic_friction = 0.0;        ///< friction at slip speeds above `weakening_velocity`, 0 to `friction`
   double weakening_velocity = 0.0;      ///< [L/T] slip speed at which weakening is complete; 0: no weakening
+  /// Largest ratio of the torque about the normal to normal impulse times roll radius, >= 0; spheres only.
+  double twisting_friction = 0.0;
 };
 
 /// The coefficient of friction at this slip speed [L/T] of the previous step: it decreases linearly up to

@@ -20,6 +20,7 @@
 #include "repose/laws/tangential/none.hpp"
 #include "repose/laws/tangential/viscous.hpp"
 #include "repose/laws/tangential/weakening.hpp"
+#include "repose/laws/twisting/twisting.hpp"
 
 #include <cstddef>
 #include <variant>
@@ -32,6 +33,7 @@ using NormalLaw = std::variant<Continuous, Hooke, Hertz, ElasticHertz>;
 using TangentialLaw = std::variant<Cumulative, Linear, Mindlin, Viscous, None, Weakening>;
 using RollingLaw = std::variant<FreeRolling, RollingSpring, RollingViscous, RollingConstant>;
 using CohesionLaw = std::variant<NoCohesion, ConstantCohesion, Jkr>;
+using TwistingLaw = std::variant<NoTwisting, TwistingSpring, TwistingViscous, TwistingConstant>;  ///< of spheres
 
 /// The laws of a pair of materials, chosen at run time.
 struct ContactLaws {
@@ -39,6 +41,7 @@ struct ContactLaws {
   TangentialLaw tangential;
   RollingLaw rolling;
   CohesionLaw cohesion;
+  TwistingLaw twisting{};
 };
 
 /// The laws of every pair of materials: a symmetric table with the entry of a and b at a * materials + b.

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/laws/time_step.hpp"
 
+#include "repose/core/vec.hpp"
 #include "repose/laws/impact.hpp"
+#include "repose/laws/inertia.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -48,13 +50,42 @@ Response surface_response(const AnyTangential& law, const Touch<double>& touch, 
 }
 
 /// The response of rolling resistance, likewise.
-Response rolling_response(const AnyRolling& law, const Touch<double>& touch, const NormalForce<double>& normal) {
+Response rolling_response(const AnyRolling& law, const Touch<double>& touch, const NormalForce<double>& normal,
+                          int dimension) {
+  const double small = 1e-9 * touch.diameter;
+  const double speed = 1e-9;
+  const auto of = [&](auto along) {
+    auto displaced = along * small;
+    auto undisplaced = along * 0.0;
+    return Response{magnitude(rolling_force(law, touch, normal, along * 0.0, 0.0, displaced)) / small,
+                    magnitude(rolling_force(law, touch, normal, along * speed, 0.0, undisplaced)) / speed};
+  };
+  return dimension == 3 ? of(Vec<3>{{1.0, 0.0, 0.0}}) : of(1.0);
+}
+
+/// The response of the resistance to twisting, likewise; none in 2D.
+Response twisting_response(const AnyTwisting& law, const Touch<double>& touch, const NormalForce<double>& normal,
+                           int dimension) {
+  if (dimension == 2) return {0.0, 0.0};
   const double small = 1e-9 * touch.diameter;
   const double speed = 1e-9;
   double displaced = small;
   double undisplaced = 0.0;
-  return {-rolling_force(law, touch, normal, 0.0, 0.0, displaced) / small,
-          -rolling_force(law, touch, normal, speed, 0.0, undisplaced) / speed};
+  return {-twisting_force(law, touch, normal, 0.0, 0.0, displaced) / small,
+          -twisting_force(law, touch, normal, speed, 0.0, undisplaced) / speed};
+}
+
+/// Sums over the normals n of the contacts of a grain in a dense bed, of a unit displacement u and a unit spin w; see
+/// `largest_step_of_bed`.
+struct Neighbours {
+  double approach;          // of (u.n)^2
+  double slip_of_approach;  // of 1 - (u.n)^2, over that
+  double turn;              // of the square of the part of w that slips or rolls
+  double twist_of_turn;     // of (w.n)^2, over that
+};
+
+Neighbours neighbours_in(int dimension) {
+  return dimension == 3 ? Neighbours{4.0, 2.0, 8.0, 0.5} : Neighbours{3.0, 1.0, 6.0, 0.0};
 }
 
 double largest_stable_step(const Response& mode) {
@@ -66,7 +97,7 @@ double largest_stable_step(const Response& mode) {
 }  // namespace
 
 StiffestContact stiffest_contact(const ContactLaws& laws, const GrainSize& mover, const GrainSize& partner,
-                                 double gravity, double fall) {
+                                 double gravity, double fall, int dimension) {
   const double m = mover.mass;
   const double pair_mass = 2.0 * m * partner.mass / (m + partner.mass);
   const double diameter = 0.5 * (mover.diameter + partner.diameter);
@@ -76,14 +107,15 @@ StiffestContact stiffest_contact(const ContactLaws& laws, const GrainSize& mover
   if (const auto* adhesion = std::get_if<Jkr>(&laws.cohesion)) {
     normal = std::max(normal, stiffness_at(at_radius(*adhesion, effective_radius(mover, partner)), m * gravity * fall));
   }
-  const auto at_surface = [&](const auto& law) { return surface_stiffness(law, normal, m); };
+  const auto at_surface = [&](const auto& law) { return surface_stiffness(law, normal, m, inertia_in(dimension)); };
   const double stiffest =
-      std::max({normal, std::visit(at_surface, laws.tangential), std::visit(at_surface, laws.rolling)});
+      std::max({normal, std::visit(at_surface, laws.tangential), std::visit(at_surface, laws.rolling),
+                dimension == 3 ? std::visit(at_surface, laws.twisting) : 0.0});
   return {std::sqrt(stiffest / m)};
 }
 
-double largest_step_of_bed(const ContactLaws& laws, const GrainSize& mover, const GrainSize& partner, double force) {
-  constexpr double neighbours = 6.0;
+double largest_step_of_bed(const ContactLaws& laws, const GrainSize& mover, const GrainSize& partner, double force,
+                           int dimension) {
   const double m = mover.mass;
   const double pair_mass = 2.0 * m * partner.mass / (m + partner.mass);
   const double diameter = 0.5 * (mover.diameter + partner.diameter);
@@ -95,12 +127,18 @@ double largest_step_of_bed(const ContactLaws& laws, const GrainSize& mover, cons
   const auto touch = make_touch(distance, 1.0 / distance, diameter, reach(normal_law) * diameter, 0.0, pair_mass);
   const auto normal = normal_response(normal_law, touch);
   const auto surface = surface_response({laws.tangential}, touch, normal_force(normal_law, touch));
-  const auto rolling = rolling_response({laws.rolling}, touch, normal_force(normal_law, touch));
-  const Response against{neighbours * (normal.stiffness + surface.stiffness) / m,
-                         neighbours * (normal.dashpot + surface.dashpot) / m};
-  const Response spinning{4.0 * neighbours * surface.stiffness / m, 4.0 * neighbours * surface.dashpot / m};
-  const Response rolling_apart{4.0 * neighbours * rolling.stiffness / m, 4.0 * neighbours * rolling.dashpot / m};
-  return std::min({largest_stable_step(against), largest_stable_step(spinning), largest_stable_step(rolling_apart)});
+  const auto rolling = rolling_response({laws.rolling}, touch, normal_force(normal_law, touch), dimension);
+  const auto twisting = twisting_response({laws.twisting}, touch, normal_force(normal_law, touch), dimension);
+  const auto sums = neighbours_in(dimension);
+  const double inertia = inertia_in(dimension).inverse;
+  const auto step_of = [&](double sum, const Response& one, double ratio, const Response& other) {
+    return largest_stable_step(
+        {sum * (one.stiffness + ratio * other.stiffness) / m, sum * (one.dashpot + ratio * other.dashpot) / m});
+  };
+  const double against = step_of(2.0 * sums.approach, normal, sums.slip_of_approach, surface);
+  const double spinning = step_of(2.0 * inertia * sums.turn, surface, sums.twist_of_turn, twisting);
+  const double turning_apart = step_of(2.0 * inertia * sums.turn, rolling, sums.twist_of_turn, twisting);
+  return std::min({against, spinning, turning_apart});
 }
 
 double least_piston_mass(const ContactLaws& laws, const GrainSize& grain, const PistonLoad& load, double step) {

@@ -18,20 +18,33 @@ struct GrainSize {
   bool flat = false;      ///< a flat wall, which acts as a grain of this size except that it has no curvature
 };
 
-/// The stiffest contact between grains of these sizes, of which the first moves. `fall` [L] is the greatest height of
-/// fall.
+/// The stiffest contact between grains of these sizes, of which the first moves: discs in 2, spheres in 3 dimensions.
+/// `fall` [L] is the greatest height of fall.
 StiffestContact stiffest_contact(const ContactLaws& laws, const GrainSize& mover, const GrainSize& partner,
-                                 double gravity, double fall);
+                                 double gravity, double fall, int dimension = 2);
 
-/// The largest stable step [T] of a grain in a dense bed: the mover has six such partners, each pressed on it with
-/// `force` [M L/T^2]. The dashpots use the velocities of the previous half-step, so a mode with stiffness K and dashpot
-/// C, both divided by its mass, is stable for K dt^2 + 2 C dt < 4. The function considers three modes: neighbours that
-/// move against each other, K = 6 (k_n + k_t) / m; discs that all spin in the same sense, K = 24 k_t / m (lever R,
-/// inertia m R^2 / 2, both discs of a contact); neighbours that spin against each other, K = 24 k_r / m, with the
-/// stiffness k_r of rolling resistance. C likewise. Infinity if the law cannot carry the force.
-/// Validated by tests/unit/laws_test.cpp, tests/unit/rolling_test.cpp, tests/cli/test_physics.py (beds below and above
-/// the limit).
-double largest_step_of_bed(const ContactLaws& laws, const GrainSize& mover, const GrainSize& partner, double force);
+/// The largest stable step [T] of a grain in a dense bed: the mover has six such partners in 2, twelve in 3 dimensions,
+/// each pressed on it with `force` [M L/T^2]. The dashpots use the velocities of the previous half-step, so a mode with
+/// stiffness K and dashpot C, both divided by its mass, is stable for K dt^2 + 2 C dt < 4.
+///
+/// The springs of a bed store at most twice what they store if every grain alone has its displacement, since
+/// (a - b)^2 <= 2 a^2 + 2 b^2. So K is twice the sum over the neighbours of one grain, for three kinds of motion:
+///
+///     motion                                    discs               spheres
+///     neighbours that move against each other   6 (k_n + k_t)/m     (8 k_n + 16 k_t)/m
+///     grains that all spin in the same sense    24 k_t/m            (40 k_t + 20 k_w)/m
+///     neighbours that spin against each other   24 k_r/m            (40 k_r + 20 k_w)/m
+///
+/// with the stiffness k_r of the resistance to rolling and k_w of that to twisting. Spheres that spin in the same sense
+/// where they slip may still twist against each other where they do not. Of six discs in a plane the squares
+/// of a component of n add up to 3, of the twelve of a close packing of spheres to 4, and those across it to 3 and 8; a
+/// spin slips and rolls with all of a disc's six, with 8 of a sphere's twelve; R^2 m / I is 2 and 5/2. C likewise.
+/// Motions that mix these kinds may have up to 1/9 more where k_r is near k_t. Infinity if the law cannot carry the
+/// force. Validated by tests/unit/laws_test.cpp, tests/unit/rolling_test.cpp, tests/unit/time_step_of_spheres_test.cpp
+/// (eigenvalues of a close packing; a bed of spheres below and above the limit), tests/cli/test_physics.py (beds of
+/// discs below and above the limit).
+double largest_step_of_bed(const ContactLaws& laws, const GrainSize& mover, const GrainSize& partner, double force,
+                           int dimension = 2);
 
 /// What a piston moves against: its own spring and drag, and a number of grains.
 struct PistonLoad {
@@ -45,7 +58,8 @@ struct PistonLoad {
 
 /// The least mass [M] with which the piston is stable in steps of `step` [T]. The stiffness K and the dashpot C of all
 /// contacts along its motion add up, and K dt^2 + 2 C dt < 4 M as for a bed; a step counts as 1 / auto_part_of_bed
-/// times as long. Validated by tests/unit/laws_test.cpp, tests/cli/test_walls.py (pistons above and below the
+/// times as long. Rotation plays no part, so that it holds for discs and spheres.
+/// Validated by tests/unit/laws_test.cpp, tests/cli/test_walls.py (pistons above and below the
 /// limit).
 double least_piston_mass(const ContactLaws& laws, const GrainSize& grain, const PistonLoad& load, double step);
 

@@ -35,7 +35,7 @@ template <int D>
 Contact<D> contact_with_wall(const Grains<D>& grains, std::size_t grain, const std::vector<Wall<D>>& walls,
                              std::size_t wall, const WallNow<D>& now, const Box<D>& box) {
   const auto& a = grains.line[grain];
-  const auto place = above(walls[wall], now.normal, from_wall(walls[wall], now, a.position, box));
+  const auto place = above(walls[wall], now, from_wall(walls[wall], now, a.position, box));
   Contact<D> contact;
   contact.first = grains.id[grain];
   contact.second = wall_partner(static_cast<std::int64_t>(wall));

@@ -4,6 +4,7 @@
 
 #include "repose/boundaries/wall.hpp"
 #include "repose/boundaries/wall_contacts.hpp"
+#include "repose/boundaries/walls_near.hpp"
 #include "repose/core/archive.hpp"
 #include "repose/core/box.hpp"
 #include "repose/core/grains.hpp"
@@ -16,9 +17,17 @@
 
 namespace repose {
 
+/// The twisting displacement of a grain on a wall, in three dimensions.
+template <int D>
+struct WallTwist {};
+template <>
+struct WallTwist<3> {
+  double twist = 0.0;  ///< [L] zero while apart
+};
+
 /// A grain and a wall that may touch before the next build of the list.
 template <int D>
-struct WallPair {
+struct WallPair : WallTwist<D> {
   std::uint32_t wall = 0;
   std::uint32_t bonded = 0;  ///< 1: bonded to the wall
   Tangent<D> slip{};         ///< [L] slip displacement, zero while apart
@@ -40,12 +49,16 @@ void pass_on_displacements(const WallContacts<D>& contacts, WallPair<D>* row) {
     if (&from == &to) continue;
     to.bonded |= from.bonded;
     from.bonded = 0;
-    if (to.slip == Tangent<D>{} && to.roll == Tangent<D>{}) {
+    bool none = to.slip == Tangent<D>{} && to.roll == Tangent<D>{};
+    if constexpr (D == 3) none = none && to.twist == 0.0;
+    if (none) {
       to.slip = from.slip;
       to.roll = from.roll;
+      if constexpr (D == 3) to.twist = from.twist;
     }
     from.slip = {};
     from.roll = {};
+    if constexpr (D == 3) from.twist = 0.0;
   }
 }
 
@@ -73,17 +86,20 @@ class WallList {
     row_start.assign(1, 0);
     pairs.clear();
     of_wall.assign(walls.size(), {});
+    near_.take(walls, now);
     for (std::size_t i = 0; i < grains.size(); ++i) {
       const auto& grain = grains.line[i];
-      for (std::uint32_t w = 0; w < walls.size() && !grain.fixed(); ++w) {
-        if (!now[w].present) continue;
+      const double farthest = near_.reach(cutoff) * grain.radius + 0.5 * skin + list.allowance(i);
+      const auto add_if_near = [&](std::uint32_t w) {
+        if (!now[w].present) return;
         const auto& wall = walls[w];
         const Vec<D> from_point = from_wall(wall, now[w], grain.position, box);
         const double within = (wall.smooth ? 2.0 * cutoff : 2.0 * cutoff - 1.0) * grain.radius;
-        if (above(wall, now[w].normal, from_point).height >= within + 0.5 * skin + list.allowance(i)) continue;
+        if (above(wall, now[w], from_point).height >= within + 0.5 * skin + list.allowance(i)) return;
         of_wall[w].push_back(static_cast<std::uint32_t>(pairs.size()));
         pairs.push_back(old_pair(old_start, old, order[i], w));
-      }
+      };
+      if (!grain.fixed()) near_.each(grain.position, farthest, box, add_if_near);
       row_start.push_back(static_cast<std::uint32_t>(pairs.size()));
     }
   }
@@ -115,12 +131,18 @@ class WallList {
  private:
   static WallPair<D> old_pair(const std::vector<std::uint32_t>& start, const std::vector<WallPair<D>>& old,
                               std::uint32_t row, std::uint32_t wall) {
-    if (row + 1 < start.size()) {
-      for (auto k = start[row]; k < start[row + 1]; ++k) {
-        if (old[k].wall == wall) return {wall, old[k].bonded, old[k].slip, old[k].roll, {}, {}, {}, {}};
-      }
+    WallPair<D> pair;
+    pair.wall = wall;
+    if (row + 1 >= start.size()) return pair;
+    for (auto k = start[row]; k < start[row + 1]; ++k) {
+      if (old[k].wall != wall) continue;
+      pair.bonded = old[k].bonded;
+      pair.slip = old[k].slip;
+      pair.roll = old[k].roll;
+      if constexpr (D == 3) pair.twist = old[k].twist;
+      break;
     }
-    return {wall, 0, {}, {}, {}, {}, {}, {}};
+    return pair;
   }
 
   void gather_impulses(std::size_t walls) {
@@ -132,6 +154,7 @@ class WallList {
   }
 
   std::vector<Vec<D>> impulse_;  // [M L/T] impulse of the grains on each wall
+  WallsNear<D> near_;
 };
 
 }  // namespace repose

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/neighbours/cell_grid.hpp"
 
+#include <cstddef>
+
 namespace repose {
 
 template <int D>
@@ -18,6 +20,12 @@ void CellGrid<D>::build(const std::vector<Vec<D>>& positions, const Box<D>& box,
     low[0] = box.x_min;
     high[0] = box.x_max;
   }
+  if constexpr (D == 3) {
+    if (box.periodic_y) {
+      low[1] = box.y_min;
+      high[1] = box.y_max;
+    }
+  }
   origin_ = low;
 
   // A few grains far away must not make the grid huge: cells grow until their number is a small multiple of the
@@ -29,7 +37,7 @@ void CellGrid<D>::build(const std::vector<Vec<D>>& positions, const Box<D>& box,
     if (cells > most_cells) continue;
     for (int axis = 0; axis < D; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
-      const bool wraps = box.periodic && axis == 0;
+      const bool wraps = wraps_along(box, axis);
       const double extent = high[axis] - low[axis];
       count_[a] = std::max(1, static_cast<int>(std::floor(extent / size)) + (wraps ? 0 : 1));
       size_[a] = wraps ? extent / count_[a] : size;
@@ -63,6 +71,39 @@ std::array<int, D> CellGrid<D>::cell_of(const Vec<D>& position) const {
     cell[a] = static_cast<int>(std::clamp(place, 0.0, static_cast<double>(count_[a] - 1)));  // rounded down
   }
   return cell;
+}
+
+template <int D>
+Lines CellGrid<D>::later_lines(const std::array<int, D>& cell, const Box<D>& box) const {
+  Lines lines;
+  if constexpr (D == 2) {
+    const int last = count(0) - 1;
+    if (cell[0] < last) lines.add(cell[0] + 1);
+    if (box.periodic && cell[0] == 0 && last > 1) lines.add(last);
+  } else {
+    // The cells of one axis that are next to a cell or its own, each once: a short axis that wraps has them twice.
+    const auto near = [&](int axis) {
+      Lines all;
+      const int own = cell[static_cast<std::size_t>(axis)];
+      const int cells = count(axis);
+      for (int place = own - 1; place <= own + 1; ++place) {
+        const bool inside = place >= 0 && place < cells;
+        if (!inside && !wraps_along(box, axis)) continue;
+        const int number = (place + cells) % cells;
+        if (std::find(all.begin(), all.end(), number) == all.end()) all.add(number);
+      }
+      return all;
+    };
+    const auto own = line_of(cell);
+    const auto ys = near(1);
+    for (const int x : near(0)) {
+      for (const int y : ys) {
+        if (x * count(1) + y > own) lines.add(x * count(1) + y);
+      }
+    }
+    std::sort(lines.line.begin(), lines.line.begin() + static_cast<std::ptrdiff_t>(lines.count));
+  }
+  return lines;
 }
 
 template class CellGrid<2>;

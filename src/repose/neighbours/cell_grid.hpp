@@ -13,6 +13,27 @@
 
 namespace repose {
 
+/// Whether an axis of the box wraps, and its length [L] if so.
+template <int D>
+bool wraps_along(const Box<D>& box, int axis) {
+  if (axis == 0) return box.periodic;
+  return D == 3 && axis == 1 && box.periodic_y;
+}
+template <int D>
+double length_along(const Box<D>& box, int axis) {
+  return axis == 0 ? box.width() : box.depth();
+}
+
+/// A few lines of cells, by their numbers.
+struct Lines {
+  std::array<int, 9> line{};
+  std::size_t count = 0;
+
+  void add(int number) { line[count++] = number; }
+  const int* begin() const { return line.data(); }
+  const int* end() const { return line.data() + count; }
+};
+
 /// A grid of cells over the grains, numbered so that the last axis (height) runs fastest. So a line of cells along it
 /// is contiguous in memory order, and three neighbouring cells of a line are one range.
 template <int D>
@@ -53,6 +74,10 @@ class CellGrid {
     for (int axis = 1; axis < D - 1; ++axis) line = line * count(axis) + cell[static_cast<std::size_t>(axis)];
     return line;
   }
+
+  /// The lines next to a cell, those across a periodic boundary too, that have higher numbers than its own: each once,
+  /// ascending. So every two lines that are next to each other meet once.
+  Lines later_lines(const std::array<int, D>& cell, const Box<D>& box) const;
 
   /// The lowest cell of a line.
   std::array<int, D> foot_of(int line) const {

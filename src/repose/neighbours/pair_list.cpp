@@ -32,33 +32,6 @@ double usual_radius(const Grains<D>& grains, double smallest, double largest) {
   }
 }
 
-/// A few lines of cells.
-struct Lines {
-  std::array<int, 9> line;
-  std::size_t count = 0;
-  void add(int number) { line[count++] = number; }
-  const int* begin() const { return line.data(); }
-  const int* end() const { return line.data() + count; }
-};
-
-/// The neighbouring lines of cells whose grains come later in memory than those of the line through `cell`, ascending.
-template <int D>
-Lines later_lines(const CellGrid<D>& grid, const std::array<int, D>& cell, bool periodic) {
-  Lines lines;
-  const auto add_neighbours = [&](int x, int lowest_y) {
-    if constexpr (D == 2) {
-      if (lowest_y <= 0) lines.add(x);
-    } else {
-      const int last = std::min(grid.count(1) - 1, cell[1] + 1);
-      for (int y = std::max(0, cell[1] + lowest_y); y <= last; ++y) lines.add(x * grid.count(1) + y);
-    }
-  };
-  add_neighbours(cell[0], 1);
-  if (cell[0] + 1 < grid.count(0)) add_neighbours(cell[0] + 1, -1);
-  if (periodic && cell[0] == 0 && grid.count(0) > 2) add_neighbours(grid.count(0) - 1, -1);
-  return lines;
-}
-
 /// The places of the candidates for partners of a grain, ascending.
 template <int D>
 struct Candidates {
@@ -87,14 +60,22 @@ std::uint32_t* append_near(const Spots<D>& spots, const Box<D>& box, std::uint32
   }
   const double* const range = spots.range.data();
   const double own_range = range[i];
-  [[maybe_unused]] const double width = box.width();
+  // Half an endless length on an axis that does not wrap.
+  std::array<double, D - 1> length{};
+  std::array<double, D - 1> half{};
+  for (int axis = 0; axis + 1 < D; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    const bool wraps = D == 2 || wraps_along(box, axis);
+    length[a] = wraps ? length_along(box, axis) : 0.0;
+    half[a] = wraps ? 0.5 * length[a] : std::numeric_limits<double>::infinity();
+  }
   for (std::size_t r = 0; r < candidates.ranges; ++r) {
     for (auto j = candidates.range[r].begin; j < candidates.range[r].end; ++j) {
       double distance2 = 0.0;
       for (std::size_t axis = 0; axis < D; ++axis) {
         double d = own[axis] - at[axis][j];
         if constexpr (Wraps) {
-          if (axis == 0) d = d > 0.5 * width ? d - width : (d < -0.5 * width ? d + width : d);
+          if (axis + 1 < D) d = d > half[axis] ? d - length[axis] : (d < -half[axis] ? d + length[axis] : d);
         }
         distance2 += d * d;
       }
@@ -187,8 +168,12 @@ void PairList<D>::list_rows(const Grains<D>& grains, const Box<D>& box, const Ra
   int height = first_cell[D - 1];
   for (int line = grid_.line_of(first_cell); i < rows.end; ++line, height = 0) {
     const auto foot = grid_.foot_of(line);
-    const auto later = later_lines<D>(grid_, foot, box.periodic);
-    const bool wraps = box.periodic && (foot[0] == 0 || foot[0] + 1 >= grid_.count(0) || grid_.count(0) < 4);
+    const auto later = grid_.later_lines(foot, box);
+    const auto at_boundary = [&](int axis) {
+      const int place = foot[static_cast<std::size_t>(axis)];
+      return wraps_along(box, axis) && (place == 0 || place + 1 >= grid_.count(axis) || grid_.count(axis) < 4);
+    };
+    const bool wraps = at_boundary(0) || (D == 3 && at_boundary(1));
     for (; height < grid_.count(D - 1) && i < rows.end; ++height) {
       const auto cell_end = std::min<std::size_t>(grid_.places(line, height, height).end, rows.end);
       if (i == cell_end) continue;
@@ -229,6 +214,7 @@ void PairList<D>::keep_displacements(const Range& rows, Part& part) {
       const auto j = partner[k];
       const auto was = old_place(old_.row_start, old_.partner, order_[i], order_[j]);
       const bool turned_round = order_[i] > order_[j];
+      if (reach_.twisting) twist[k] = was == none ? 0.0 : old_.twist[was];  // of either order
       slip[k] = was == none ? Tangent<D>{} : (turned_round ? swapped(old_.slip[was]) : old_.slip[was]);
       if (reach_.rolling) roll[k] = was == none ? Tangent<D>{} : (turned_round ? -old_.roll[was] : old_.roll[was]);
       if (reach_.bonds) bonded[k] = was == none ? std::uint8_t{0} : old_.bonded[was];
@@ -247,6 +233,7 @@ const std::vector<std::uint32_t>& PairList<D>::build(Grains<D>& grains, const Bo
   old_.partner.swap(partner);
   old_.slip.swap(slip);
   old_.roll.swap(roll);
+  old_.twist.swap(twist);
   old_.bonded.swap(bonded);
   row_start.resize(grains.size() + 1);
   row_start[0] = 0;
@@ -259,6 +246,7 @@ const std::vector<std::uint32_t>& PairList<D>::build(Grains<D>& grains, const Bo
   partner.resize(pairs);
   slip.resize(pairs);
   if (reach_.rolling) roll.resize(pairs);
+  if (reach_.twisting) twist.resize(pairs);
   if (reach_.bonds) bonded.resize(pairs);
   team.run([&](int member) {
     const Range rows = range_of(grains.size(), member, team.size());

@@ -20,12 +20,13 @@ namespace repose {
 
 /// The distances and times that decide which pairs are listed.
 struct PairReach {
-  double cutoff = 1.0;   ///< a pair interacts if it is closer than cutoff (R_i + R_j)
-  double skin = 0.3;     ///< [L] pairs up to this much farther apart are listed too
-  double horizon = 0.0;  ///< [T] fast grains list all grains that they may reach within this time
-  double gravity = 0.0;  ///< [L/T^2] acceleration of fast grains during the horizon
-  bool rolling = false;  ///< whether pairs keep a rolling displacement too
-  bool bonds = false;    ///< whether pairs keep that they are bonded
+  double cutoff = 1.0;    ///< a pair interacts if it is closer than cutoff (R_i + R_j)
+  double skin = 0.3;      ///< [L] pairs up to this much farther apart are listed too
+  double horizon = 0.0;   ///< [T] fast grains list all grains that they may reach within this time
+  double gravity = 0.0;   ///< [L/T^2] acceleration of fast grains during the horizon
+  bool rolling = false;   ///< whether pairs keep a rolling displacement too
+  bool bonds = false;     ///< whether pairs keep that they are bonded
+  bool twisting = false;  ///< whether pairs keep a displacement about their normal too
 };
 
 /// Pairs of grains that may touch before the list is next built. For each grain i it lists the partners j > i in memory
@@ -99,9 +100,11 @@ class PairList {
     archive.array("pairs/partner", partner);
     archive.array("pairs/history", slip);
     archive.array("pairs/roll", roll);
+    if (reach_.twisting) archive.array("pairs/twist", twist);
     if (reach_.bonds) archive.array("pairs/bonded", bonded);
     archive.check("pairs/partner", row_start.empty() ? partner.empty() : row_start.back() == partner.size());
     archive.check("pairs/history", slip.size() == partner.size());
+    archive.check("pairs/twist", twist.size() == (reach_.twisting ? partner.size() : 0));
     archive.check("pairs/bonded", bonded.size() == (reach_.bonds ? partner.size() : 0));
     if (archive.restoring()) any_far = has_far_pairs();
   }
@@ -122,7 +125,8 @@ class PairList {
   std::vector<std::uint32_t> partner;    ///< (pairs) index of j
   std::vector<Tangent<D>> slip;          ///< (pairs) [L] slip displacement; zero while the pair is apart
   std::vector<Tangent<D>> roll;          ///< (pairs) [L] rolling displacement; empty unless `PairReach::rolling`
-  std::vector<std::uint8_t> bonded;      ///< (pairs) 1: bonded; empty unless `PairReach::bonds`
+  std::vector<double> twist;         ///< (pairs) [L] displacement about the normal; empty unless `PairReach::twisting`
+  std::vector<std::uint8_t> bonded;  ///< (pairs) 1: bonded; empty unless `PairReach::bonds`
 
  private:
   /// What is kept of a pair from one list to the next.
@@ -131,6 +135,7 @@ class PairList {
     std::vector<std::uint32_t> partner;
     std::vector<Tangent<D>> slip;
     std::vector<Tangent<D>> roll;
+    std::vector<double> twist;
     std::vector<std::uint8_t> bonded;
   };
   /// The rows that one member lists.

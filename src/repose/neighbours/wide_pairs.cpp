@@ -48,7 +48,7 @@ void WidePairs<D>::with_cells(std::uint32_t i, const Spots<D>& spots, const Cell
   for (int axis = 0; axis < D; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     const int cells = static_cast<int>(std::ceil(range / grid.size(axis)));
-    const bool wraps = box.periodic && axis == 0;
+    const bool wraps = wraps_along(box, axis);
     low[a] = wraps ? centre[a] - cells : std::max(0, centre[a] - cells);
     high[a] = wraps ? centre[a] + cells : std::min(grid.count(axis) - 1, centre[a] + cells);
     if (wraps && high[a] - low[a] >= grid.count(axis)) {
@@ -63,12 +63,15 @@ void WidePairs<D>::with_cells(std::uint32_t i, const Spots<D>& spots, const Cell
       if (!also_wide) add_if_near(i, j, spots, box);
     }
   };
+  const auto inside = [&](int place, int axis) {
+    return ((place % grid.count(axis)) + grid.count(axis)) % grid.count(axis);
+  };
   for (int x = low[0]; x <= high[0]; ++x) {
-    const int column = ((x % grid.count(0)) + grid.count(0)) % grid.count(0);
+    const int column = inside(x, 0);
     if constexpr (D == 2) {
       search_line(column);
     } else {
-      for (int y = low[1]; y <= high[1]; ++y) search_line(column * grid.count(1) + y);
+      for (int y = low[1]; y <= high[1]; ++y) search_line(column * grid.count(1) + inside(y, 1));
     }
   }
 }

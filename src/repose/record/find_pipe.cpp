@@ -20,7 +20,7 @@ bool faces(const Wall<2>& wall, const Vec<2>& direction) {
 
 }  // namespace
 
-Pipe PipeWalls::at(const std::vector<RecordedWall>& walls) const {
+Pipe PipeWalls::at(const std::vector<RecordedWall<2>>& walls) const {
   return {.left_wall = static_cast<std::int64_t>(left),
           .right_wall = static_cast<std::int64_t>(right),
           .left = walls[left].wall.point[0],

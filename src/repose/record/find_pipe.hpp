@@ -19,7 +19,7 @@ struct PipeWalls {
   std::optional<std::size_t> floor;  ///< the lowest level wall; none: base grains at height 0
 
   /// Where they stand.
-  Pipe at(const std::vector<RecordedWall>& walls) const;
+  Pipe at(const std::vector<RecordedWall<2>>& walls) const;
 };
 
 /// The pipe of a scene: it has two upright walls, which face each other, and a level wall or base grains between them.

@@ -8,10 +8,13 @@
 
 namespace repose {
 
-double force_unit(const Scene& scene, const Contacts<2>& contacts) {
+template <int D>
+double force_unit(const Scene& scene, const Contacts<D>& contacts) {
   if (scene.analysis.force_scale == "given") return scene.analysis.force;
   return scene.analysis.force_scale == "mean" ? mean_normal_force(contacts) : scene.grain_weight();
 }
+template double force_unit(const Scene&, const Contacts<2>&);
+template double force_unit(const Scene&, const Contacts<3>&);
 
 std::string force_unit_name(const Scene& scene) {
   if (scene.analysis.force_scale == "given") return fmt::format("times {:g} M L/T^2", scene.analysis.force);

@@ -12,7 +12,8 @@ namespace repose {
 /// The force [M L/T^2] in which the thresholds of the analysis are given, by `analysis.force_scale`: the weight of a
 /// nominal grain, the mean magnitude of the normal forces of these contacts that are not zero (0 without any), or the
 /// given one. Validated by tests/unit/force_unit_test.cpp.
-double force_unit(const Scene& scene, const Contacts<2>& contacts);
+template <int D = 2>
+double force_unit(const Scene& scene, const Contacts<D>& contacts);
 
 /// What that unit is called in a message: "grain weights", "mean forces", or "times 2.5 M L/T^2".
 std::string force_unit_name(const Scene& scene);

@@ -35,25 +35,27 @@ Status status_of(const std::string& text) {
 
 namespace {
 
-double per_length(double force, const WallRow& row) {
+double per_length(double force, const WallRow<2>& row) {
   return row.length > 0.0 ? force / row.length : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace
 
-double pressure_of(const WallRow& row, const Vec<2>& normal) { return per_length(-dot(row.force, normal), row); }
-double shear_of(const WallRow& row, const Vec<2>& normal) {
+double pressure_of(const WallRow<2>& row, const Vec<2>& normal) { return per_length(-dot(row.force, normal), row); }
+double shear_of(const WallRow<2>& row, const Vec<2>& normal) {
   return per_length(dot(row.force, along_wall(normal)), row);
 }
 
-std::vector<RecordedWall> walls_at(const Record& record, double time) {
+template <int D>
+std::vector<RecordedWall<D>> walls_at(const Record<D>& record, double time) {
   const auto walls = record.walls.size();
   std::vector<WallState> states(walls);
   const auto& rows = record.series;
   const auto next = static_cast<std::size_t>(
       std::lower_bound(rows.begin(), rows.end(), time, [](const auto& row, double t) { return row.time < t; }) -
       rows.begin());
-  if (record.wall_series.size() != rows.size() * walls || rows.empty()) return recorded_walls(record.scene, {}, time);
+  if (record.wall_series.size() != rows.size() * walls || rows.empty())
+    return recorded_walls<D>(record.scene, {}, time);
   for (std::size_t w = 0; w < walls; ++w) {
     const auto displacement = [&](std::size_t row) { return record.wall_series[row * walls + w].displacement; };
     const double before = next > 0 ? displacement(next - 1) : 0.0;
@@ -65,24 +67,30 @@ std::vector<RecordedWall> walls_at(const Record& record, double time) {
     const double passed = rows[next].time > start ? (time - start) / (rows[next].time - start) : 1.0;
     states[w].displacement = before + passed * (displacement(next) - before);
   }
-  return recorded_walls(record.scene, states, time);
+  return recorded_walls<D>(record.scene, states, time);
 }
 
-ContactBlocks<2> contacts_of(const Record& record) {
+template <int D>
+ContactBlocks<D> contacts_of(const Record<D>& record) {
   if (record.supports.empty()) return blocks_of(record.contacts);
   return contacts_of_supports(*record.grains, record.supports, record.box);
 }
 
-CollisionAccount collision_account(const Record& record) {
+CollisionAccount collision_account(const std::vector<SeriesRow>& series) {
   CollisionAccount all;
-  for (const auto& row : record.series) all += row.collisions;
+  for (const auto& row : series) all += row.collisions;
   return all;
 }
 
-SolverAccount solver_account(const Record& record) {
+SolverAccount solver_account(const std::vector<SeriesRow>& series) {
   SolverAccount all;
-  for (const auto& row : record.series) all += row.solver;
+  for (const auto& row : series) all += row.solver;
   return all;
 }
+
+template std::vector<RecordedWall<2>> walls_at(const Record<2>&, double);
+template std::vector<RecordedWall<3>> walls_at(const Record<3>&, double);
+template ContactBlocks<2> contacts_of(const Record<2>&);
+template ContactBlocks<3> contacts_of(const Record<3>&);
 
 }  // namespace repose

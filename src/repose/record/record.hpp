@@ -20,17 +20,19 @@
 namespace repose {
 
 /// A wall at one row of the time series.
+template <int D>
 struct WallRow {
   double displacement = 0.0;  ///< [L] along the direction in which it moves
-  Vec<2> force{};             ///< [M L/T^2] of the grains on it, mean since the row before
-  double length = 0.0;        ///< [L] of the part that grains can press on (analysis/wall_span.hpp)
-  double moment = 0.0;        ///< [M L^2/T^2] of the contacts at that time about the middle of it, counter-clockwise
+  Vec<D> force{};             ///< [M L/T^2] of the grains on it, mean since the row before
+  // In two dimensions alone.
+  double length = 0.0;  ///< [L] of the part that grains can press on (analysis/wall_span.hpp)
+  double moment = 0.0;  ///< [M L^2/T^2] of the contacts at that time about the middle of it, counter-clockwise
 };
 
 /// The force per length [M/T^2] of the grains on a wall with this normal: against the normal, so that pressure is
 /// positive, and along the normal turned by +90 degrees. NaN for a wall without length.
-double pressure_of(const WallRow& row, const Vec<2>& normal);
-double shear_of(const WallRow& row, const Vec<2>& normal);
+double pressure_of(const WallRow<2>& row, const Vec<2>& normal);
+double shear_of(const WallRow<2>& row, const Vec<2>& normal);
 
 /// One row of the time series.
 struct SeriesRow {
@@ -70,32 +72,35 @@ struct RunFacts {
 };
 
 /// What a run leaves behind: all that the analysis knows of it, in memory or read back from a run folder.
+template <int D = 2>
 struct Record {
   Scene scene;
   RunFacts facts;
-  Box<2> box;
-  std::vector<RecordedWall> walls;  ///< as they stand, by number
-  OrderedGrains<2> grains;
-  Contacts<2> contacts;               ///< empty where they follow from `supports`
+  Box<D> box;
+  std::vector<RecordedWall<D>> walls;  ///< as they stand, by number
+  OrderedGrains<D> grains;
+  Contacts<D> contacts;               ///< empty where they follow from `supports`
   std::vector<SupportPair> supports;  ///< for each grain what it came to rest on, by places in `grains`; or empty
   std::vector<SeriesRow> series;
-  std::vector<WallRow> wall_series;        ///< for each row of the series, a row for each wall
+  std::vector<WallRow<D>> wall_series;     ///< for each row of the series, a row for each wall
   std::vector<ColumnRow> column_series;    ///< for each row of the series; empty where the scene has no pipe
   std::vector<ColumnSlice> column_slices;  ///< for each of these, output.slices from the floor up
   BaseProfile base;
-  Track track;
+  Track<D> track;
 };
 
 /// The walls as they stood at a time [T]: where the rows of the series have them, and between these on a straight line.
-std::vector<RecordedWall> walls_at(const Record& record, double time);
+template <int D>
+std::vector<RecordedWall<D>> walls_at(const Record<D>& record, double time);
 
 /// All contacts of a record, which must outlive them.
-ContactBlocks<2> contacts_of(const Record& record);
+template <int D>
+ContactBlocks<D> contacts_of(const Record<D>& record);
 
 /// What the solver did from the start to the last row of the series.
-SolverAccount solver_account(const Record& record);
+SolverAccount solver_account(const std::vector<SeriesRow>& series);
 
 /// What collided and turned soft from the start to the last row of the series.
-CollisionAccount collision_account(const Record& record);
+CollisionAccount collision_account(const std::vector<SeriesRow>& series);
 
 }  // namespace repose

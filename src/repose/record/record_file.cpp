@@ -24,9 +24,10 @@ namespace repose {
 
 namespace {
 
-Record read_header(const Hdf5Reader& file) {
-  Record record;
-  read_attributes(file, "/", run_attributes(), record);
+template <int D>
+Record<D> read_header(const Hdf5Reader& file) {
+  Record<D> record;
+  read_attributes(file, "/", run_attributes<D>(), record);
   try {
     record.facts.status = status_of(file.text("/", "status"));
   } catch (const std::out_of_range& error) {
@@ -38,6 +39,15 @@ Record read_header(const Hdf5Reader& file) {
 std::string kept_scene(const Hdf5Reader& file) {
   const auto kept = file.texts("scene");
   return kept.empty() ? "" : kept.front();
+}
+
+/// Files of older programs have no other than two.
+std::int64_t dimension_of(const Hdf5Reader& file) { return file.integer("/", "dimension") == 3 ? 3 : 2; }
+
+template <int D>
+void check_dimension(const Hdf5Reader& file) {
+  if (dimension_of(file) == D) return;
+  throw InputError(fmt::format("{}: is of {} dimensions, not of {}", file.path(), D == 2 ? 3 : 2, D));
 }
 
 /// The scene that was run. Only its [analysis] may have been changed in scene.toml since then.
@@ -53,16 +63,18 @@ Scene read_scene_of(const std::string& folder, const Hdf5Reader& file) {
 }
 
 /// The walls of the scene as a file has them.
-std::vector<RecordedWall> read_walls(const Hdf5Reader& file, const Scene& scene) {
-  const auto count = make_walls(scene).size();
-  auto walls = recorded_walls(scene, std::vector<WallState>(count), 0.0);
-  if (count > 0) read_group(file, wall_group(), walls, count);
+template <int D>
+std::vector<RecordedWall<D>> read_walls(const Hdf5Reader& file, const Scene& scene) {
+  const auto count = make_walls<D>(scene).size();
+  auto walls = recorded_walls<D>(scene, std::vector<WallState>(count), 0.0);
+  if (count > 0) read_group(file, wall_group<D>(), walls, count);
   return walls;
 }
 
 }  // namespace
 
-void check_partners(const std::string& path, const OrderedGrains<2>& grains, const Contacts<2>& contacts,
+template <int D>
+void check_partners(const std::string& path, const OrderedGrains<D>& grains, const Contacts<D>& contacts,
                     std::size_t walls) {
   const auto& id = grains->id;
   const auto number_of_walls = static_cast<std::int64_t>(walls);
@@ -89,21 +101,24 @@ void check_partners(const std::string& path, const OrderedGrains<2>& grains, con
   if (!placed) throw InputError(fmt::format("{}: contacts: one does not lie at its grains", path));
 }
 
-void write_record(const std::string& path, const Record& record, const std::vector<std::string>& frames,
+template <int D>
+void write_record(const std::string& path, const Record<D>& record, const std::vector<std::string>& frames,
                   const std::vector<std::string>& segments) {
   Hdf5File file(path, record.scene.units);
-  write_attributes(file, "/", run_attributes(), record);
+  write_attributes(file, "/", run_attributes<D>(), record);
   file.texts("scene", {scene_text(record.scene)}, "the scene that was run, complete");
   write_grains(file, record.grains);
   write_contacts(file, contacts_of(record), record.grains, record.scene.method->traits().has_forces());
-  if (!record.walls.empty()) write_group(file, wall_group(), record.walls);
+  if (!record.walls.empty()) write_group(file, wall_group<D>(), record.walls);
   write_group(file, series_group(), record.series);
-  if (!record.wall_series.empty()) write_columns(file, "series", wall_series_columns(), record);
-  if (!record.column_series.empty()) write_group(file, column_group(), record);
+  if (!record.wall_series.empty()) write_columns(file, "series", wall_series_columns<D>(), record);
+  if constexpr (D == 2) {
+    if (!record.column_series.empty()) write_group(file, column_group(), record);
+  }
   if (record.scene.output.energy) write_group(file, energy_group(), record.series);
   if (record.scene.method->solver() != nullptr) write_group(file, solver_group(), record.series);
   if (record.scene.method->traits().collides) write_group(file, collision_group(), record.series);
-  if (!record.base.x.empty()) write_group(file, base_group(), record.base);
+  if (!record.base.x.empty()) write_group(file, base_group<D>(), record.base);
   file.external_link("analysis", "analysis.h5", "/");
   const auto link = [&](const std::string& group, const std::vector<std::string>& names) {
     if (names.empty()) return;
@@ -124,7 +139,8 @@ void check_belongs(const Hdf5Reader& file, const RunFacts& run) {
 
 BaseProfile read_base(const Hdf5Reader& file) {
   BaseProfile base;
-  if (file.has("base")) read_group(file, base_group(), base);
+  if (!file.has("base")) return base;
+  with_dimension(dimension_of(file), [&](auto dimension) { read_group(file, base_group<dimension>(), base); });
   return base;
 }
 
@@ -141,7 +157,18 @@ void check_version(const Hdf5Reader& file) {
 RunFacts read_run_facts(const std::string& folder) {
   const Hdf5Reader file(folder + "/run.h5");
   check_version(file);
-  return read_header(file).facts;
+  return read_header<2>(file).facts;
+}
+
+std::int64_t run_dimension(const std::string& folder) {
+  const Hdf5Reader file(folder + "/run.h5");
+  check_version(file);
+  return dimension_of(file);
+}
+
+void refuse_spheres(const std::string& folder, const std::string& what) {
+  if (run_dimension(folder) == 2) return;
+  throw InputError(fmt::format("{}: is a run of spheres; {} knows discs alone", folder, what));
 }
 
 std::string read_run_scene(const std::string& folder) {
@@ -150,7 +177,8 @@ std::string read_run_scene(const std::string& folder) {
   return kept_scene(file);
 }
 
-Record read_last_state(const std::string& folder) {
+template <int D>
+Record<D> read_last_state(const std::string& folder) {
   std::error_code error;
   if (!std::filesystem::is_directory(folder, error)) throw InputError(fmt::format("{}: no such folder", folder));
   for (const auto* name : {"scene.toml", "run.h5"}) {
@@ -160,28 +188,33 @@ Record read_last_state(const std::string& folder) {
   }
   const Hdf5Reader file(folder + "/run.h5");
   check_version(file);
-  Record record = read_header(file);
+  check_dimension<D>(file);
+  Record<D> record = read_header<D>(file);
   record.scene = read_scene_of(folder, file);
-  record.box = make_box(record.scene);
-  record.walls = read_walls(file, record.scene);
-  record.grains = {read_grains<2>(file), record.box};
-  record.contacts = read_contacts<2>(file);
+  record.box = make_box<D>(record.scene);
+  record.walls = read_walls<D>(file, record.scene);
+  record.grains = {read_grains<D>(file), record.box};
+  record.contacts = read_contacts<D>(file);
   check_partners(file.path(), record.grains, record.contacts, record.walls.size());
   return record;
 }
 
-void read_series(const Hdf5Reader& file, Record& record) {
+template <int D>
+void read_series(const Hdf5Reader& file, Record<D>& record) {
   read_group(file, series_group(), record.series);
   const auto rows = record.series.size();
-  if (rows > 0 && !record.walls.empty()) read_columns(file, "series", wall_series_columns(), record, rows);
+  if (rows > 0 && !record.walls.empty()) read_columns(file, "series", wall_series_columns<D>(), record, rows);
 }
 
-Record read_record(const std::string& folder) {
-  Record record = read_last_state(folder);
+template <int D>
+Record<D> read_record(const std::string& folder) {
+  Record<D> record = read_last_state<D>(folder);
   const Hdf5Reader file(folder + "/run.h5");
   read_series(file, record);
   const auto rows = record.series.size();
-  if (file.has("column")) read_group(file, column_group(), record, rows);
+  if constexpr (D == 2) {
+    if (file.has("column")) read_group(file, column_group(), record, rows);
+  }
   if (record.scene.output.energy) read_group(file, energy_group(), record.series, rows);
   if (record.scene.method->solver() != nullptr) read_group(file, solver_group(), record.series, rows);
   if (record.scene.method->traits().collides) read_group(file, collision_group(), record.series, rows);
@@ -193,5 +226,18 @@ Record read_record(const std::string& folder) {
   }
   return record;
 }
+
+template void check_partners(const std::string&, const OrderedGrains<2>&, const Contacts<2>&, std::size_t);
+template void write_record(const std::string&, const Record<2>&, const std::vector<std::string>&,
+                           const std::vector<std::string>&);
+template Record<2> read_last_state(const std::string&);
+template void read_series(const Hdf5Reader&, Record<2>&);
+template Record<2> read_record(const std::string&);
+template void check_partners(const std::string&, const OrderedGrains<3>&, const Contacts<3>&, std::size_t);
+template void write_record(const std::string&, const Record<3>&, const std::vector<std::string>&,
+                           const std::vector<std::string>&);
+template Record<3> read_last_state(const std::string&);
+template void read_series(const Hdf5Reader&, Record<3>&);
+template Record<3> read_record(const std::string&);
 
 }  // namespace repose

@@ -5,6 +5,7 @@
 #include "repose/io/hdf5_reader.hpp"
 #include "repose/record/record.hpp"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -12,27 +13,39 @@ namespace repose {
 
 /// Writes run.h5; `frames` and `segments` name the files in frames/ and track/ that it links. The layout is described
 /// in docs/reference/run-folder.md. Throws RunError.
-void write_record(const std::string& path, const Record& record, const std::vector<std::string>& frames,
+template <int D>
+void write_record(const std::string& path, const Record<D>& record, const std::vector<std::string>& frames,
                   const std::vector<std::string>& segments);
 
 /// The header of a run.h5: how far the run came. Throws InputError.
 RunFacts read_run_facts(const std::string& folder);
 
+/// The number of dimensions of the run of a folder. Throws InputError.
+std::int64_t run_dimension(const std::string& folder);
+
+/// Throws InputError where the run of a folder is not of two dimensions; `what` needs these, as in "the view".
+void refuse_spheres(const std::string& folder, const std::string& what);
+
 /// Text of the scene of a run.h5, as it was run. Throws InputError.
 std::string read_run_scene(const std::string& folder);
 
 /// The last state of a run folder: the record without series, base and track. Throws as read_record does.
-Record read_last_state(const std::string& folder);
+template <int D>
+Record<D> read_last_state(const std::string& folder);
 
 /// Reads the series of a run.h5 into a record that has its walls. Throws InputError.
-void read_series(const Hdf5Reader& file, Record& record);
+template <int D>
+void read_series(const Hdf5Reader& file, Record<D>& record);
 
-/// Reads scene.toml and run.h5 of a run folder. Throws InputError if there is none or it is damaged.
-Record read_record(const std::string& folder);
+/// Reads scene.toml and run.h5 of a run folder. Throws InputError if there is none, it is damaged, or of another number
+/// of dimensions.
+template <int D>
+Record<D> read_record(const std::string& folder);
 
 /// A damaged file may name grains or walls that do not exist. Throws InputError then; readers of contacts call this,
 /// and nothing behind them checks again.
-void check_partners(const std::string& path, const OrderedGrains<2>& grains, const Contacts<2>& contacts,
+template <int D>
+void check_partners(const std::string& path, const OrderedGrains<D>& grains, const Contacts<D>& contacts,
                     std::size_t walls);
 
 /// Throws InputError if a file of a run folder belongs to another run than its run.h5.

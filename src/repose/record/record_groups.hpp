@@ -16,22 +16,42 @@ inline constexpr std::int64_t run_format_version = 4;
 // What run.h5 holds beside the groups of io/state.hpp: lists that write it, read it and print its reference.
 
 /// The attributes of the file.
-const Attributes<Record>& run_attributes();
+template <int D>
+const Attributes<Record<D>>& run_attributes();
+template <>
+const Attributes<Record<2>>& run_attributes();
+template <>
+const Attributes<Record<3>>& run_attributes();
 
-const Group<std::vector<RecordedWall>>& wall_group();
+template <int D>
+const Group<std::vector<RecordedWall<D>>>& wall_group();
+template <>
+const Group<std::vector<RecordedWall<2>>>& wall_group();
+template <>
+const Group<std::vector<RecordedWall<3>>>& wall_group();
 
 /// The time series; `wall_series_columns` belong to the same group, where there are walls.
 const Group<std::vector<SeriesRow>>& series_group();
-const Columns<Record>& wall_series_columns();
+template <int D>
+const Columns<Record<D>>& wall_series_columns();
+template <>
+const Columns<Record<2>>& wall_series_columns();
+template <>
+const Columns<Record<3>>& wall_series_columns();
 
-/// The column in a pipe, row by row of the time series.
-const Group<Record>& column_group();
+/// The column in a pipe of two dimensions, row by row of the time series.
+const Group<Record<2>>& column_group();
 
 /// The energy budget, what the solver did and what collided, row by row of the time series.
 const Group<std::vector<SeriesRow>>& energy_group();
 const Group<std::vector<SeriesRow>>& solver_group();
 const Group<std::vector<SeriesRow>>& collision_group();
 
+template <int D>
 const Group<BaseProfile>& base_group();
+template <>
+const Group<BaseProfile>& base_group<2>();
+template <>
+const Group<BaseProfile>& base_group<3>();
 
 }  // namespace repose

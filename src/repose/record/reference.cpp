@@ -16,8 +16,8 @@ ReferenceTable with_paths(const Group<From>& group) {
 }
 
 ReferenceTable track_table() {
-  auto table = reference_of("track", "", "M", track_moment_columns());
-  const auto grains = reference_of("track", "", "rows", track_grain_columns());
+  auto table = reference_of("track", "", "M", track_moment_columns<2>());
+  const auto grains = reference_of("track", "", "rows", track_grain_columns<2>());
   table.rows.insert(table.rows.end(), grains.rows.begin(), grains.rows.end());
   return table;
 }
@@ -26,18 +26,18 @@ ReferenceTable track_table() {
 
 std::vector<ReferenceTable> run_folder_reference() {
   return {
-      reference_of("run.h5", run_attributes()),
+      reference_of("run.h5", run_attributes<2>()),
       reference_of("grains", "/grains/", "N", grain_state_columns<2>()),
       reference_of("contacts", "/contacts/", "M", contact_columns<2>()),
-      with_paths(wall_group()),
+      with_paths(wall_group<2>()),
       with_paths(series_group()),
-      reference_of("series of walls", "/series/", "R", wall_series_columns()),
+      reference_of("series of walls", "/series/", "R", wall_series_columns<2>()),
       with_paths(column_group()),
       with_paths(energy_group()),
       with_paths(solver_group()),
       with_paths(collision_group()),
-      reference_of("base", base_group().attributes),
-      with_paths(base_group()),
+      reference_of("base", base_group<2>().attributes),
+      with_paths(base_group<2>()),
       track_table(),
   };
 }

@@ -7,16 +7,17 @@ namespace repose {
 namespace {
 
 /// A number of each wall in each row of the series.
-Column<Record> wall_column(const std::string& name, double& (*entry)(WallRow&), const std::string& unit,
-                           const std::string& meaning) {
-  const auto columns = [](const Record& record) { return record.wall_series.size() / record.series.size(); };
-  Column<Record> made{name, unit, meaning, "W", type_name<double>, {}};
-  made.write = [=](Hdf5File& file, const std::string& path, const Record& record) {
+template <int D, class Entry>
+Column<Record<D>> wall_column(const std::string& name, Entry entry, const std::string& unit,
+                              const std::string& meaning) {
+  const auto columns = [](const Record<D>& record) { return record.wall_series.size() / record.series.size(); };
+  Column<Record<D>> made{name, unit, meaning, "W", type_name<double>, {}};
+  made.write = [=](Hdf5File& file, const std::string& path, const Record<D>& record) {
     std::vector<double> values;
     for (auto row : record.wall_series) values.push_back(entry(row));
     file.table(path, values, columns(record), unit, meaning);
   };
-  made.read = [=](const Hdf5Reader& file, const std::string& path, Record& record) {
+  made.read = [=](const Hdf5Reader& file, const std::string& path, Record<D>& record) {
     const auto values = file.table<double>(path, record.walls.size());
     record.wall_series.resize(record.series.size() * record.walls.size());
     if (values.size() == record.wall_series.size()) {
@@ -28,10 +29,10 @@ Column<Record> wall_column(const std::string& name, double& (*entry)(WallRow&), 
 }
 
 /// A number of each wall in each row of the series that follows from others and the normal of the wall.
-Column<Record> wall_stress_column(const std::string& name, double (*of)(const WallRow&, const Vec<2>& normal),
-                                  const std::string& meaning) {
-  Column<Record> made{name, "M/T^2", meaning, "W", type_name<double>, {}};
-  made.write = [=](Hdf5File& file, const std::string& path, const Record& record) {
+Column<Record<2>> wall_stress_column(const std::string& name, double (*of)(const WallRow<2>&, const Vec<2>& normal),
+                                     const std::string& meaning) {
+  Column<Record<2>> made{name, "M/T^2", meaning, "W", type_name<double>, {}};
+  made.write = [=](Hdf5File& file, const std::string& path, const Record<2>& record) {
     const auto walls = record.wall_series.size() / record.series.size();
     std::vector<double> values;
     for (std::size_t k = 0; k < record.wall_series.size(); ++k) {
@@ -43,15 +44,15 @@ Column<Record> wall_stress_column(const std::string& name, double (*of)(const Wa
 }
 
 /// A number of each slice of a column in each row of the series.
-Column<Record> slice_column(const std::string& name, double ColumnSlice::*entry, const std::string& unit,
-                            const std::string& meaning) {
-  Column<Record> made{name, unit, meaning, "S", type_name<double>, {}};
-  made.write = [=](Hdf5File& file, const std::string& path, const Record& record) {
+Column<Record<2>> slice_column(const std::string& name, double ColumnSlice::*entry, const std::string& unit,
+                               const std::string& meaning) {
+  Column<Record<2>> made{name, unit, meaning, "S", type_name<double>, {}};
+  made.write = [=](Hdf5File& file, const std::string& path, const Record<2>& record) {
     std::vector<double> values;
     for (const auto& slice : record.column_slices) values.push_back(slice.*entry);
     file.table(path, values, static_cast<std::size_t>(record.scene.output.slices), unit, meaning);
   };
-  made.read = [=](const Hdf5Reader& file, const std::string& path, Record& record) {
+  made.read = [=](const Hdf5Reader& file, const std::string& path, Record<2>& record) {
     const auto slices = static_cast<std::size_t>(record.scene.output.slices);
     const auto values = file.table<double>(path, slices);
     record.column_slices.resize(values.size());
@@ -111,32 +112,55 @@ const Group<std::vector<SeriesRow>>& series_group() {
   return group;
 }
 
-const Columns<Record>& wall_series_columns() {
-  static const Columns<Record> list{
-      wall_column(
-          "wall_displacement", [](WallRow& row) -> double& { return row.displacement; }, "L",
-          "of each wall along the direction of its motion; of one that rotates, the angle in radians"),
-      wall_column(
-          "wall_force_x", [](WallRow& row) -> double& { return row.force[0]; }, "M L/T^2",
-          "of the grains on each wall, mean since the row before"),
-      wall_column(
-          "wall_force_y", [](WallRow& row) -> double& { return row.force[1]; }, "M L/T^2",
-          "of the grains on each wall, mean since the row before"),
-      wall_stress_column(
-          "wall_pressure", pressure_of,
-          "that force against the normal, over the length; positive into the wall; NaN without a length"),
-      wall_stress_column("wall_shear", shear_of, "that force along the normal turned by +90 degrees, over the length"),
-      wall_column(
-          "wall_length", [](WallRow& row) -> double& { return row.length; }, "L",
-          "of a finite wall; of a plane the part between other planes, and else as far as moving grains reach"),
-      wall_column(
-          "wall_moment", [](WallRow& row) -> double& { return row.moment; }, "M L^2/T^2",
-          "of the contacts at that time about the middle of that length, counter-clockwise"),
-  };
+namespace {
+
+/// The columns of every dimension: displacement, and the components of the force.
+template <int D>
+Columns<Record<D>> motions_and_forces() {
+  using Row = WallRow<D>;
+  Columns<Record<D>> list{wall_column<D>(
+      "wall_displacement", [](Row& row) -> double& { return row.displacement; }, "L",
+      "of each wall along the direction of its motion; of one that rotates, the angle in radians")};
+  constexpr const char* names[] = {"wall_force_x", "wall_force_y", "wall_force_z"};
+  for (int axis = 0; axis < D; ++axis) {
+    list.push_back(wall_column<D>(
+        names[axis], [axis](Row& row) -> double& { return row.force[axis]; }, "M L/T^2",
+        "of the grains on each wall, mean since the row before"));
+  }
   return list;
 }
 
-const Group<Record>& column_group() {
+}  // namespace
+
+template <>
+const Columns<Record<2>>& wall_series_columns() {
+  using Row = WallRow<2>;
+  static const auto list = [] {
+    auto all = motions_and_forces<2>();
+    all.push_back(
+        wall_stress_column("wall_pressure", pressure_of,
+                           "that force against the normal, over the length; positive into the wall; NaN without a "
+                           "length"));
+    all.push_back(wall_stress_column("wall_shear", shear_of,
+                                     "that force along the normal turned by +90 degrees, over the length"));
+    all.push_back(wall_column<2>(
+        "wall_length", [](Row& row) -> double& { return row.length; }, "L",
+        "of a finite wall; of a plane the part between other planes, and else as far as moving grains reach"));
+    all.push_back(wall_column<2>(
+        "wall_moment", [](Row& row) -> double& { return row.moment; }, "M L^2/T^2",
+        "of the contacts at that time about the middle of that length, counter-clockwise"));
+    return all;
+  }();
+  return list;
+}
+
+template <>
+const Columns<Record<3>>& wall_series_columns() {
+  static const auto list = motions_and_forces<3>();
+  return list;
+}
+
+const Group<Record<2>>& column_group() {
   static const auto group = [] {
     const Columns<std::vector<ColumnRow>> rows{
         column("height", &ColumnRow::height, "L",
@@ -145,7 +169,7 @@ const Group<Record>& column_group() {
         column("solid_fraction", &ColumnRow::solid_fraction, "",
                "disc area over area of the slices but the lowest and the highest tenth of them"),
     };
-    Group<Record> made{"column", "R", {}, columns_of<Record>(rows, &Record::column_series)};
+    Group<Record<2>> made{"column", "R", {}, columns_of<Record<2>>(rows, &Record<2>::column_series)};
     made.columns.push_back(slice_column("slice_top", &ColumnSlice::top, "L", "upper level of each above the floor"));
     made.columns.push_back(slice_column("slice_mass", &ColumnSlice::mass, "M", "of the grains with centres in it"));
     made.columns.push_back(slice_column("slice_pressure", &ColumnSlice::pressure, "M/T^2",

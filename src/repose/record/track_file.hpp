@@ -12,13 +12,18 @@
 namespace repose {
 
 /// The datasets of a segment of the track: of its moments, and of the grains of all moments one after the other.
-const Columns<Track>& track_moment_columns();
-const Columns<std::vector<TrackedGrain>>& track_grain_columns();
+template <int D>
+const Columns<Track<D>>& track_moment_columns();
+template <int D>
+const Columns<std::vector<TrackedGrain<D>>>& track_grain_columns();
 
 /// Writes a segment of the track: the moments from `first` on, with the hash of the scene. Throws RunError.
-void write_track_segment(const std::string& path, const std::string& scene_hash, const Track& track, std::size_t first);
+template <int D>
+void write_track_segment(const std::string& path, const std::string& scene_hash, const Track<D>& track,
+                         std::size_t first);
 
 /// Adds the moments of a segment to a track. Throws InputError, also if it is that of another scene ("": unknown).
-void read_track_segment(const std::string& path, const std::string& scene_hash, Track& track);
+template <int D>
+void read_track_segment(const std::string& path, const std::string& scene_hash, Track<D>& track);
 
 }  // namespace repose

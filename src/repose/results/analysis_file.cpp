@@ -14,7 +14,8 @@ namespace repose {
 namespace {
 
 /// The numbers of the grains, one row each.
-std::vector<MeasureRow> rows_of(const Measured& run) {
+template <int D>
+std::vector<MeasureRow> rows_of(const MeasuredIn<D>& run) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<MeasureRow> rows;
   for (const auto& measured : measured_values(run)) {
@@ -24,11 +25,11 @@ std::vector<MeasureRow> rows_of(const Measured& run) {
     const auto add = [&](const std::string& name, double number, const std::string& meaning) {
       rows.push_back({name, std::isfinite(number) ? number : none, measure.unit, meaning});
     };
-    if (measure.kind == Measure::Kind::number) {
+    if (measure.kind == KnownMeasure::Kind::number) {
       const auto* count = std::get_if<std::int64_t>(&value);
       const auto* number = std::get_if<double>(&value);
       add(measure.name, count ? static_cast<double>(*count) : number ? *number : none, measure.meaning);
-    } else if (measure.kind == Measure::Kind::estimate) {
+    } else if (measure.kind == KnownMeasure::Kind::estimate) {
       const auto* estimate = std::get_if<Estimate>(&value);
       add(measure.name + ".mean", estimate ? estimate->mean : none, measure.meaning);
       add(measure.name + ".error", estimate ? estimate->error : none, "its standard error");
@@ -53,8 +54,9 @@ const Group<std::vector<MeasureRow>>& measure_group() {
   return group;
 }
 
-void write_analysis(const std::string& path, const Record& record, const Results& results) {
-  const Measured run{record, results};
+template <int D>
+void write_analysis(const std::string& path, const Record<D>& record, const Results<D>& results) {
+  const MeasuredIn<D> run{record, results};
   Hdf5File file(path, record.scene.units);
   file.attribute("/", "format", std::string("repose-analysis"));
   file.attribute("/", "format_version", std::int64_t{1});
@@ -63,8 +65,11 @@ void write_analysis(const std::string& path, const Record& record, const Results
   file.attribute("/", "state_hash", record.facts.state_hash);
   file.attribute("/", "scene_hash", record.facts.scene_hash);
   write_group(file, measure_group(), rows_of(run));
-  for (const auto& group : analysis_groups()) group.write(file, run);
+  for (const auto& group : analysis_groups<D>()) group.write(file, run);
   file.commit();
 }
+
+template void write_analysis(const std::string&, const Record<2>&, const Results<2>&);
+template void write_analysis(const std::string&, const Record<3>&, const Results<3>&);
 
 }  // namespace repose

@@ -24,6 +24,7 @@ const Group<std::vector<MeasureRow>>& measure_group();
 
 /// Writes analysis.h5: the group of all numbers, and every group of the registry that has a meaning for the run. The
 /// layout is described in docs/reference/analysis.md. Throws RunError.
-void write_analysis(const std::string& path, const Record& record, const Results& results);
+template <int D>
+void write_analysis(const std::string& path, const Record<D>& record, const Results<D>& results);
 
 }  // namespace repose

@@ -29,7 +29,7 @@ std::vector<ColumnLayer> inner(const std::vector<ColumnLayer>& layers) {
 /// Means over the rows from `first` on, each weighted by its time.
 class WindowMean {
  public:
-  WindowMean(const Record& record, double start) {
+  WindowMean(const Record<2>& record, double start) {
     const auto& rows = record.series;
     for (std::size_t row = rows.size(); row-- > 0;) {
       const double before = row > 0 ? rows[row - 1].time : 0.0;
@@ -55,7 +55,7 @@ class WindowMean {
   std::vector<double> lengths_;
 };
 
-std::vector<ColumnLayer> mean_layers(const Record& record, const WindowMean& mean, const ColumnState& column) {
+std::vector<ColumnLayer> mean_layers(const Record<2>& record, const WindowMean& mean, const ColumnState& column) {
   const auto slices = static_cast<std::size_t>(record.scene.output.slices);
   const auto of = [&](std::size_t slice, double ColumnSlice::*member) {
     return mean([&](std::size_t row) { return record.column_slices[row * slices + slice].*member; });
@@ -137,7 +137,7 @@ ColumnFit fit_of(const ColumnState& column, double gravity) {
 }
 
 /// The downward force on what lies below the column: level walls below its centre, else base grains.
-double floor_load(const Record& record, const PipeWalls& pipe, const WindowMean& mean) {
+double floor_load(const Record<2>& record, const PipeWalls& pipe, const WindowMean& mean) {
   const auto slices = static_cast<std::size_t>(record.scene.output.slices);
   if (!pipe.floor) {
     return mean([&](std::size_t row) { return record.column_slices[row * slices].load; });
@@ -154,7 +154,7 @@ double floor_load(const Record& record, const PipeWalls& pipe, const WindowMean&
 }
 
 /// Sets what a moving floor does to the column.
-void follow_floor(const Record& record, const PipeWalls& pipe, const WindowMean& mean, ColumnState& column) {
+void follow_floor(const Record<2>& record, const PipeWalls& pipe, const WindowMean& mean, ColumnState& column) {
   if (!pipe.floor) return;
   const auto& motion = record.walls[*pipe.floor].wall.motion;
   if (motion.kind == WallMotion<2>::Kind::none || std::fabs(motion.direction[1]) < 0.5) return;
@@ -202,7 +202,7 @@ void follow_floor(const Record& record, const PipeWalls& pipe, const WindowMean&
 
 }  // namespace
 
-std::optional<ColumnState> measure_column_of(const Record& record) {
+std::optional<ColumnState> measure_column_of(const Record<2>& record) {
   const auto pipe = find_pipe(record.scene);
   const auto rows = record.series.size();
   const auto slices = static_cast<std::size_t>(record.scene.output.slices);

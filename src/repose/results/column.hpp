@@ -71,6 +71,6 @@ struct ColumnState {
 };
 
 /// The column of a record; none where its scene has no pipe, or no rows.
-std::optional<ColumnState> measure_column_of(const Record& record);
+std::optional<ColumnState> measure_column_of(const Record<2>& record);
 
 }  // namespace repose

@@ -35,30 +35,24 @@ MeasureValue measure_value(std::vector<double> value) { return value; }
 MeasureValue measure_value(std::vector<std::string> value) { return value; }
 MeasureValue measure_value(const Estimate& value) { return value; }
 
-Measure of_run(Measure measure) {
-  measure.of_grains = false;
-  return measure;
-}
-
-Measure only_where(std::function<bool(const Measured&)> exists, Measure measure) {
-  measure.exists = std::move(exists);
-  return measure;
-}
-
-std::vector<MeasuredValue> measured_values(const Measured& run) {
+template <int D>
+std::vector<MeasuredValue> measured_values(const MeasuredIn<D>& run) {
   std::vector<MeasuredValue> values;
   std::vector<std::string> closed;  // beginnings of names below objects that are null or left out
-  for (const auto& measure : measures()) {
+  for (const auto& measure : measures<D>()) {
     const auto below = [&](const std::string& beginning) { return measure.name.starts_with(beginning); };
     if (std::any_of(closed.begin(), closed.end(), below)) continue;
     const bool exists = !measure.exists || measure.exists(run);
     auto value = exists && has(run.record.scene, measure.needs) ? measure.value(run) : MeasureValue{};
-    if (measure.kind == Measure::Kind::object && !std::holds_alternative<Object>(value)) {
+    if (measure.kind == KnownMeasure::Kind::object && !std::holds_alternative<Object>(value)) {
       closed.push_back(measure.name + ".");
     }
     if (exists) values.push_back({measure, std::move(value)});
   }
   return values;
 }
+
+template std::vector<MeasuredValue> measured_values(const MeasuredIn<2>&);
+template std::vector<MeasuredValue> measured_values(const MeasuredIn<3>&);
 
 }  // namespace repose

@@ -5,6 +5,7 @@
 #include "repose/analysis/statistics.hpp"
 #include "repose/record/record.hpp"
 #include "repose/results/results.hpp"
+#include "repose/results/sphere_results.hpp"
 
 #include <array>
 #include <cstdint>
@@ -19,10 +20,12 @@
 namespace repose {
 
 /// What measures are computed from: a run, and what the analysis found in it.
-struct Measured {
-  const Record& record;
-  const Results& results;
+template <int D>
+struct MeasuredIn {
+  const Record<D>& record;
+  const Results<D>& results;
 };
+using Measured = MeasuredIn<2>;
 
 /// What a method must have for a measure to mean anything.
 enum class Needs { nothing, forces, solver, collisions, deposition };
@@ -35,19 +38,25 @@ struct Object {};
 using MeasureValue = std::variant<std::monostate, Object, double, std::int64_t, std::string, std::vector<double>,
                                   std::vector<std::string>, Estimate>;
 
-/// A key of summary.json. Numbers of the grains are also columns of sweeps and rows of `measures` in analysis.h5.
-struct Measure {
+/// What there is to know of a key of summary.json without a run.
+struct KnownMeasure {
   enum class Kind { object, number, estimate, text, list };
 
   std::string name;  ///< dotted: "core.solid_fraction" is a key of the object "core"
   std::string unit;
   std::string meaning;
   Kind kind = Kind::number;
-  std::function<MeasureValue(const Measured&)> value;
-  Needs needs = Needs::nothing;                      ///< null for methods without it
-  std::function<bool(const Measured&)> exists = {};  ///< the key is left out where this is false
-  bool of_grains = true;                             ///< false: describes the run or its settings
+  Needs needs = Needs::nothing;  ///< null for methods without it
+  bool of_grains = true;         ///< false: describes the run or its settings
 };
+
+/// A key of summary.json. Numbers of the grains are also columns of sweeps and rows of `measures` in analysis.h5.
+template <int D>
+struct MeasureIn : KnownMeasure {
+  std::function<MeasureValue(const MeasuredIn<D>&)> value;
+  std::function<bool(const MeasuredIn<D>&)> exists;  ///< the key is left out where this is false; none: never
+};
+using Measure = MeasureIn<2>;
 
 MeasureValue measure_value(Object);
 MeasureValue measure_value(double value);
@@ -68,49 +77,61 @@ MeasureValue measure_value(const std::optional<T>& value) {
 
 template <class T>
 struct MeasureKind {
-  static constexpr auto kind = std::is_arithmetic_v<T> ? Measure::Kind::number : Measure::Kind::list;
+  static constexpr auto kind = std::is_arithmetic_v<T> ? KnownMeasure::Kind::number : KnownMeasure::Kind::list;
 };
 template <>
 struct MeasureKind<Object> {
-  static constexpr auto kind = Measure::Kind::object;
+  static constexpr auto kind = KnownMeasure::Kind::object;
 };
 template <>
 struct MeasureKind<Estimate> {
-  static constexpr auto kind = Measure::Kind::estimate;
+  static constexpr auto kind = KnownMeasure::Kind::estimate;
 };
 template <>
 struct MeasureKind<std::string> {
-  static constexpr auto kind = Measure::Kind::text;
+  static constexpr auto kind = KnownMeasure::Kind::text;
 };
 template <class T>
 struct MeasureKind<std::optional<T>> : MeasureKind<T> {};
 
 /// `entry` gives a number, an Estimate, a text, a list of numbers or texts, or an Object from Measured, or a
 /// std::optional of one.
-template <class Entry>
-Measure measure(std::string name, std::string unit, std::string meaning, Entry entry, Needs needs = Needs::nothing) {
-  using Value = std::remove_cvref_t<std::invoke_result_t<const Entry&, const Measured&>>;
-  return {std::move(name),
-          std::move(unit),
-          std::move(meaning),
-          MeasureKind<Value>::kind,
-          [entry](const Measured& run) { return measure_value(std::invoke(entry, run)); },
-          needs};
+template <int D = 2, class Entry>
+MeasureIn<D> measure(std::string name, std::string unit, std::string meaning, Entry entry,
+                     Needs needs = Needs::nothing) {
+  using Value = std::remove_cvref_t<std::invoke_result_t<const Entry&, const MeasuredIn<D>&>>;
+  MeasureIn<D> made;
+  made.name = std::move(name);
+  made.unit = std::move(unit);
+  made.meaning = std::move(meaning);
+  made.kind = MeasureKind<Value>::kind;
+  made.needs = needs;
+  made.value = [entry](const MeasuredIn<D>& run) { return measure_value(std::invoke(entry, run)); };
+  return made;
 }
 
 /// The measure describes the run or its settings, not the grains.
-Measure of_run(Measure measure);
+template <int D>
+MeasureIn<D> of_run(MeasureIn<D> measure) {
+  measure.of_grains = false;
+  return measure;
+}
 
 /// The key is left out where `exists` is false.
-Measure only_where(std::function<bool(const Measured&)> exists, Measure measure);
+template <int D>
+MeasureIn<D> only_where(std::type_identity_t<std::function<bool(const MeasuredIn<D>&)>> exists, MeasureIn<D> measure) {
+  measure.exists = std::move(exists);
+  return measure;
+}
 
 /// A measure with its value in one run.
 struct MeasuredValue {
-  const Measure& measure;
+  const KnownMeasure& measure;
   MeasureValue value;
 };
 
 /// All measures of a run, in the order of summary.json; those of an object that is null are left out.
-std::vector<MeasuredValue> measured_values(const Measured& run);
+template <int D>
+std::vector<MeasuredValue> measured_values(const MeasuredIn<D>& run);
 
 }  // namespace repose

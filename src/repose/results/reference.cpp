@@ -11,7 +11,7 @@ namespace repose {
 
 namespace {
 
-std::string where(const Measure& measure) {
+std::string where(const KnownMeasure& measure) {
   switch (measure.needs) {
     case Needs::nothing:
       return "";
@@ -27,25 +27,30 @@ std::string where(const Measure& measure) {
   return "";
 }
 
-std::string key_text(const Measure& measure) {
+std::string key_text(const KnownMeasure& measure) {
   const auto key = "`" + measure.name + "`";
-  return measure.kind == Measure::Kind::estimate ? key + ": `mean`, `error`" : key;
+  return measure.kind == KnownMeasure::Kind::estimate ? key + ": `mean`, `error`" : key;
 }
 
 }  // namespace
 
-std::vector<ReferenceTable> summary_reference() {
-  ReferenceTable table{"summary", {"key", "unit", "meaning", "defined for"}, {}};
-  for (const auto& measure : measures()) {
+namespace {
+
+template <int D>
+ReferenceTable table_of_measures(const std::string& name) {
+  ReferenceTable table{name, {"key", "unit", "meaning", "defined for"}, {}};
+  for (const auto& measure : measures<D>()) {
     table.rows.push_back({key_text(measure), measure.unit, measure.meaning, where(measure)});
   }
-  return {table};
+  return table;
 }
 
-std::vector<ReferenceTable> analysis_reference() {
-  auto tables = reference_of(measure_group());
-  for (const auto& group : analysis_groups()) {
-    for (const auto& table : group.reference) {
+/// Adds the tables of groups; those of a group that others add to are one. `of` stands behind their names.
+template <int D>
+void add_groups(const std::string& of, std::vector<ReferenceTable>& tables) {
+  for (const auto& group : analysis_groups<D>()) {
+    for (auto table : group.reference) {
+      table.name += of;
       const auto same = [&](const ReferenceTable& other) { return other.name == table.name; };
       if (const auto found = std::find_if(tables.begin(), tables.end(), same); found != tables.end()) {
         found->rows.insert(found->rows.end(), table.rows.begin(), table.rows.end());
@@ -54,6 +59,18 @@ std::vector<ReferenceTable> analysis_reference() {
       }
     }
   }
+}
+
+}  // namespace
+
+std::vector<ReferenceTable> summary_reference() {
+  return {table_of_measures<2>("summary"), table_of_measures<3>("summary of spheres")};
+}
+
+std::vector<ReferenceTable> analysis_reference() {
+  auto tables = reference_of(measure_group());
+  add_groups<2>("", tables);
+  add_groups<3>(" of spheres", tables);
   return tables;
 }
 

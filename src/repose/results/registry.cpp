@@ -9,19 +9,26 @@ namespace repose {
 
 namespace {
 
-Registry& registry() {
-  static Registry all = [] {
-    Registry made;
-    for (const auto add : subjects()) add(made);
+template <int D>
+RegistryIn<D>& registry() {
+  static RegistryIn<D> all = [] {
+    RegistryIn<D> made;
+    for (const auto add : subjects<D>()) add(made);
     return made;
   }();
   return all;
 }
 
-const Measure* named(const std::string& name) {
-  const auto& all = measures();
+template <int D>
+const KnownMeasure* named_in(const std::string& name) {
+  const auto& all = measures<D>();
   const auto found = std::find_if(all.begin(), all.end(), [&](const auto& measure) { return measure.name == name; });
   return found == all.end() ? nullptr : &*found;
+}
+
+const KnownMeasure* named(const std::string& name) {
+  const auto* found = named_in<2>(name);
+  return found != nullptr ? found : named_in<3>(name);
 }
 
 }  // namespace
@@ -30,20 +37,31 @@ void register_subject(Subject subject) {
   Registry added;
   subject(added);
   for (const auto& measure : added.measures) {
-    if (named(measure.name) != nullptr) throw std::invalid_argument("there is a measure " + measure.name + " already");
+    if (named_in<2>(measure.name) != nullptr)
+      throw std::invalid_argument("there is a measure " + measure.name + " already");
   }
-  subject(registry());
+  subject(registry<2>());
 }
 
-const std::vector<Measure>& measures() { return registry().measures; }
-const std::vector<AnalysisGroup>& analysis_groups() { return registry().groups; }
+template <int D>
+const std::vector<MeasureIn<D>>& measures() {
+  return registry<D>().measures;
+}
+template <int D>
+const std::vector<AnalysisGroupIn<D>>& analysis_groups() {
+  return registry<D>().groups;
+}
+template const std::vector<MeasureIn<2>>& measures();
+template const std::vector<MeasureIn<3>>& measures();
+template const std::vector<AnalysisGroupIn<2>>& analysis_groups();
+template const std::vector<AnalysisGroupIn<3>>& analysis_groups();
 
-const Measure* find_measure(const std::string& name) {
+const KnownMeasure* find_measure(const std::string& name) {
   if (const auto* found = named(name)) return found;
   const auto end = name.rfind('.');
   if (end == std::string::npos) return nullptr;
   const auto* whole = named(name.substr(0, end));
-  return whole != nullptr && whole->kind == Measure::Kind::estimate ? whole : nullptr;
+  return whole != nullptr && whole->kind == KnownMeasure::Kind::estimate ? whole : nullptr;
 }
 
 }  // namespace repose

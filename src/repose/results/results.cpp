@@ -22,7 +22,7 @@ namespace {
 constexpr double core_above_base = 2.0;  // diameters
 
 /// Fields end at walls as they stand, and at rows of fixed grains.
-FieldSettings field_settings(const Record& record, double threshold) {
+FieldSettings field_settings(const Record<2>& record, double threshold) {
   FieldSettings settings{record.scene.analysis.field_width, threshold, standing_walls(record.walls)};
   const auto base = base_lines(record.grains, record.box);
   settings.walls.insert(settings.walls.end(), base.begin(), base.end());
@@ -59,7 +59,7 @@ Extent extent_of(const Discs& discs) {
 
 /// Upright walls at the sides of all grains, and a level one below them, hold a packing. A piece of wall holds it if
 /// the grains do not reach past its ends.
-PackingWalls walls_around(const Record& record, const Extent& grains) {
+PackingWalls walls_around(const Record<2>& record, const Extent& grains) {
   constexpr double straight = 1e-9;
   PackingWalls walls;
   const auto nearest = [](std::optional<double>& side, double place, double towards) {
@@ -90,7 +90,7 @@ Box<2> box_between(Box<2> box, const PackingWalls& walls) {
   return box;
 }
 
-PackingOptions packing_options(const Record& record, const Discs& discs) {
+PackingOptions packing_options(const Record<2>& record, const Discs& discs) {
   const auto& scene = record.scene;
   const auto& analysis = scene.analysis;
   PackingOptions options;
@@ -116,7 +116,7 @@ PackingOptions packing_options(const Record& record, const Discs& discs) {
   return options;
 }
 
-void measure_packing(const Record& record, Results& results) {
+void measure_packing(const Record<2>& record, Results<2>& results) {
   const auto& scene = record.scene;
   const auto discs = discs_of(record.grains);
   const auto options = packing_options(record, discs);
@@ -161,8 +161,8 @@ bool leans_on_walls(const Contacts<2>& contacts, double weight) {
 }
 
 /// A record without forces: the packing is all there is to measure.
-Results analyse_packing_alone(const Record& record) {
-  Results results;
+Results<2> analyse_packing_alone(const Record<2>& record) {
+  Results<2> results;
   if (*record.scene.analysis.packing) measure_packing(record, results);
   if (results.packing) results.network = network_of(*results.packing);
   return results;
@@ -170,13 +170,13 @@ Results analyse_packing_alone(const Record& record) {
 
 }  // namespace
 
-Results analyse(const Record& record) {
+Results<2> analyse(const Record<2>& record) {
   if (!has(record.scene, Needs::forces)) return analyse_packing_alone(record);
   const auto& scene = record.scene;
   const auto& grains = *record.grains;
   const auto& contacts = record.contacts;
   const auto& box = record.box;
-  Results results;
+  Results<2> results;
   results.force_unit = force_unit(scene, contacts);
   const double threshold = scene.analysis.force_threshold * results.force_unit;
   const auto in_heap = supported(grains, contacts);

@@ -29,7 +29,11 @@
 namespace repose {
 
 /// Everything that the analysis says of a run.
-struct Results {
+template <int D = 2>
+struct Results;
+
+template <>
+struct Results<2> {
   HeapShape heap;
   ForceNetwork network;
   std::optional<BaseDip> dip;
@@ -60,6 +64,6 @@ struct Results {
   std::int64_t breaking_rule = 0;         ///< deposited discs that do not rest by the critical-angle rule
 };
 
-Results analyse(const Record& record);
+Results<2> analyse(const Record<2>& record);
 
 }  // namespace repose

@@ -26,8 +26,15 @@ void add_collisions(Registry& to);
 void add_solver(Registry& to);
 void add_state(Registry& to);
 
+// In three dimensions.
+void add_run(RegistryIn<3>& to);
+void add_spheres(RegistryIn<3>& to);
+void add_solver(RegistryIn<3>& to);
+void add_state(RegistryIn<3>& to);
+
 // In the order of summary.json.
-std::vector<Subject> subjects() {
+template <>
+std::vector<Subject> subjects<2>() {
   return {
       add_run,                //
       add_network,            //
@@ -50,6 +57,11 @@ std::vector<Subject> subjects() {
       add_solver,             //
       add_state,              //
   };
+}
+
+template <>
+std::vector<SubjectIn<3>> subjects<3>() {
+  return {add_run, add_spheres, add_solver, add_state};
 }
 
 }  // namespace repose

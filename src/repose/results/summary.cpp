@@ -37,12 +37,16 @@ Json& place_of(Json& json, std::string_view name) {
 
 }  // namespace
 
-std::string summary_text(const Record& record, const Results& results) {
+template <int D>
+std::string summary_text(const Record<D>& record, const Results<D>& results) {
   Json json;
-  for (const auto& [measure, value] : measured_values({record, results})) {
+  for (const auto& [measure, value] : measured_values(MeasuredIn<D>{record, results})) {
     place_of(json, measure.name) = std::visit([](const auto& one) { return json_of(one); }, value);
   }
   return with_checksum(json.dump(2));
 }
+
+template std::string summary_text(const Record<2>&, const Results<2>&);
+template std::string summary_text(const Record<3>&, const Results<3>&);
 
 }  // namespace repose

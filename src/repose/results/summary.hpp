@@ -4,6 +4,7 @@
 
 #include "repose/record/record.hpp"
 #include "repose/results/results.hpp"
+#include "repose/results/sphere_results.hpp"
 
 #include <string>
 #include <string_view>
@@ -11,7 +12,8 @@
 namespace repose {
 
 /// summary.json: numbers by name, null where not defined; see docs/reference/summary.md.
-std::string summary_text(const Record& record, const Results& results);
+template <int D>
+std::string summary_text(const Record<D>& record, const Results<D>& results);
 
 /// "status" of the text of a summary; "" if it is none, or not as it was written.
 std::string summary_status(const std::string& text);

@@ -6,7 +6,7 @@
 
 namespace repose {
 
-WallForces mean_wall_forces(const Record& record) {
+WallForces mean_wall_forces(const Record<2>& record) {
   constexpr double rounding = 1e-9;
   WallForces forces;
   const auto& rows = record.series;

@@ -30,6 +30,6 @@ struct WallForces {
 /// The means over the last rows of the series that together cover output.window. Forces are those of all steps since
 /// the row before; moments are those of the contacts at the rows. Empty without rows or walls. Validated by
 /// tests/unit/wall_forces_test.cpp and tests/cli/test_wall_forces.py.
-WallForces mean_wall_forces(const Record& record);
+WallForces mean_wall_forces(const Record<2>& record);
 
 }  // namespace repose

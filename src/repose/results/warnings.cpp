@@ -22,7 +22,8 @@ constexpr double open_budget = 0.1;
 
 using Lines = std::vector<std::string>;
 
-void add_overlaps(const Record& record, Lines& lines) {
+template <int D>
+void add_overlaps(const Record<D>& record, Lines& lines) {
   if (!record.scene.method->traits().has_forces()) return;
   const auto& rows = record.series;
   const auto deepest = std::max_element(rows.begin(), rows.end(),
@@ -34,7 +35,8 @@ void add_overlaps(const Record& record, Lines& lines) {
                   deepest->max_overlap, deepest->time, deep_overlap));
 }
 
-void add_budget(const Record& record, Lines& lines) {
+template <int D>
+void add_budget(const Record<D>& record, Lines& lines) {
   if (!record.scene.output.energy || record.series.empty()) return;
   const auto& energy = record.series.back().energy;
   const double supplied = std::fabs(energy.sources) + std::fabs(energy.walls_work) + std::fabs(energy.loads_work);
@@ -45,10 +47,11 @@ void add_budget(const Record& record, Lines& lines) {
                   energy.error(), supplied));
 }
 
-void add_solver(const Record& record, Lines& lines) {
+template <int D>
+void add_solver(const Record<D>& record, Lines& lines) {
   const auto* solver = record.scene.method->solver();
   if (solver == nullptr) return;
-  const auto all = solver_account(record);
+  const auto all = solver_account(record.series);
   if (all.unconverged == 0) return;
   lines.push_back(
       fmt::format("{} of {} steps did not converge within method.most_sweeps = {}: worst residual {:.2g} g "
@@ -57,7 +60,8 @@ void add_solver(const Record& record, Lines& lines) {
 }
 
 /// Grains have the side of an endless wall that its normal points to.
-void add_behind_walls(const Record& record, Lines& lines) {
+template <int D>
+void add_behind_walls(const Record<D>& record, Lines& lines) {
   for (const auto& standing : record.walls) {
     const auto& wall = standing.wall;
     if (standing.open || wall.finite()) continue;
@@ -65,7 +69,7 @@ void add_behind_walls(const Record& record, Lines& lines) {
     std::int64_t first = -1;
     for (std::size_t k = 0; k < record.grains.size(); ++k) {
       const auto& grain = record.grains->line[k];
-      if (grain.fixed() || dot(Vec<2>(grain.position - wall.point), wall.normal) >= 0.0) continue;
+      if (grain.fixed() || dot(Vec<D>(grain.position - wall.point), wall.normal) >= 0.0) continue;
       if (behind++ == 0) first = record.grains->id[k];
     }
     if (behind == 0) continue;
@@ -74,7 +78,8 @@ void add_behind_walls(const Record& record, Lines& lines) {
   }
 }
 
-void add_crossings(const Record& record, Lines& lines) {
+template <int D>
+void add_crossings(const Record<D>& record, Lines& lines) {
   for (const auto& standing : record.walls) {
     const auto& crossed = standing.crossed;
     if (crossed.count == 0) continue;
@@ -84,7 +89,8 @@ void add_crossings(const Record& record, Lines& lines) {
   }
 }
 
-void add_losses(const Record& record, Lines& lines) {
+template <int D>
+void add_losses(const Record<D>& record, Lines& lines) {
   if (record.facts.lost == 0 || moving_count(*record.grains) > 0) return;
   lines.push_back(
       fmt::format("all {} grains have left through an open end or fallen below box.floor", record.facts.lost));
@@ -92,7 +98,8 @@ void add_losses(const Record& record, Lines& lines) {
 
 }  // namespace
 
-std::vector<std::string> warnings_of(const Record& record) {
+template <int D>
+std::vector<std::string> warnings_of(const Record<D>& record) {
   Lines lines = record.scene.start.warnings;
   add_overlaps(record, lines);
   add_budget(record, lines);
@@ -102,5 +109,8 @@ std::vector<std::string> warnings_of(const Record& record) {
   add_losses(record, lines);
   return lines;
 }
+
+template std::vector<std::string> warnings_of(const Record<2>&);
+template std::vector<std::string> warnings_of(const Record<3>&);
 
 }  // namespace repose

@@ -11,6 +11,7 @@ namespace repose {
 
 /// What makes the results of a run doubtful, a line each: deep overlaps, an energy budget that does not close, steps
 /// that did not converge, grains behind a wall, no grain left. Validated by tests/cli/test_warnings.py.
-std::vector<std::string> warnings_of(const Record& record);
+template <int D>
+std::vector<std::string> warnings_of(const Record<D>& record);
 
 }  // namespace repose

@@ -26,10 +26,11 @@ namespace {
 std::string path_of(const std::string& folder, int slot) { return fmt::format("{}/checkpoints/{}.h5", folder, slot); }
 
 /// Moments of a track as arrays.
-void exchange_track(Archive& archive, Track& track) {
+template <int D>
+void exchange_track(Archive& archive, Track<D>& track) {
   std::vector<double> times;
   std::vector<std::size_t> counts;
-  std::vector<TrackedGrain> grains;
+  std::vector<TrackedGrain<D>> grains;
   for (const auto& moment : track) {
     times.push_back(moment.time);
     counts.push_back(moment.grains.size());
@@ -64,7 +65,8 @@ std::vector<std::string> damaged_frames(const std::string& folder, std::size_t c
 
 std::string numbered(std::size_t number) { return fmt::format("{:06}", number); }
 
-void write_checkpoint(const std::string& folder, int slot, Simulation& simulation, const FolderState& state) {
+template <int D>
+void write_checkpoint(const std::string& folder, int slot, Simulation<D>& simulation, const FolderState& state) {
   std::error_code error;
   fs::create_directories(folder + "/checkpoints", error);
   Hdf5File file(path_of(folder, slot));
@@ -78,7 +80,7 @@ void write_checkpoint(const std::string& folder, int slot, Simulation& simulatio
   ArchiveWriter archive(file, "state");
   simulation.exchange(archive);
   const auto& track = simulation.track();
-  Track pending(track.begin() + static_cast<std::ptrdiff_t>(state.moments), track.end());
+  Track<D> pending(track.begin() + static_cast<std::ptrdiff_t>(state.moments), track.end());
   exchange_track(archive, pending);
   file.commit();
 }
@@ -110,8 +112,9 @@ std::unique_ptr<Checkpoint> Checkpoint::latest(const std::string& folder, std::v
   return found;
 }
 
-FolderState Checkpoint::restore(Simulation& simulation) const {
-  Track track;
+template <int D>
+FolderState Checkpoint::restore(Simulation<D>& simulation) const {
+  Track<D> track;
   FolderState state = state_;
   for (std::size_t k = 0; k < state_.segments; ++k) {
     read_track_segment(fmt::format("{}/track/{}.h5", folder_, numbered(k)), hash_of(scene_), track);
@@ -119,7 +122,7 @@ FolderState Checkpoint::restore(Simulation& simulation) const {
   state.moments = track.size();
   ArchiveReader archive(file_, "state");
   simulation.exchange(archive);
-  Track pending;
+  Track<D> pending;
   exchange_track(archive, pending);
   track.insert(track.end(), pending.begin(), pending.end());
   simulation.restored(std::move(track));
@@ -130,5 +133,10 @@ void remove_checkpoints(const std::string& folder) {
   std::error_code error;
   fs::remove_all(folder + "/checkpoints", error);
 }
+
+template void write_checkpoint(const std::string&, int, Simulation<2>&, const FolderState&);
+template void write_checkpoint(const std::string&, int, Simulation<3>&, const FolderState&);
+template FolderState Checkpoint::restore(Simulation<2>&) const;
+template FolderState Checkpoint::restore(Simulation<3>&) const;
 
 }  // namespace repose

@@ -20,7 +20,8 @@ struct FolderState {
 };
 
 /// Writes checkpoint number `slot` (0 or 1) of a run folder. Throws RunError.
-void write_checkpoint(const std::string& folder, int slot, Simulation& simulation, const FolderState& state);
+template <int D>
+void write_checkpoint(const std::string& folder, int slot, Simulation<D>& simulation, const FolderState& state);
 
 /// A checkpoint that is whole.
 class Checkpoint {
@@ -34,7 +35,8 @@ class Checkpoint {
 
   /// Gives a fresh simulation of the scene the state back, and says what the folder held. Throws InputError if a part
   /// of the run folder is missing or damaged.
-  FolderState restore(Simulation& simulation) const;
+  template <int D>
+  FolderState restore(Simulation<D>& simulation) const;
 
  private:
   Checkpoint(const std::string& folder, int slot);

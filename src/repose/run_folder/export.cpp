@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/run_folder/export.hpp"
 
-#include "repose/analysis/grain_stress.hpp"
-#include "repose/analysis/heap.hpp"
-#include "repose/analysis/voronoi.hpp"
 #include "repose/contact_problem/contact_problem.hpp"
+#include "repose/core/dimension.hpp"
 #include "repose/core/errors.hpp"
 #include "repose/io/csv_tables.hpp"
 #include "repose/io/exports.hpp"
 #include "repose/io/folders.hpp"
 #include "repose/record/record_file.hpp"
 #include "repose/run_folder/checkpoint.hpp"
+#include "repose/run_folder/moment_stress.hpp"
 #include "repose/run_folder/moments.hpp"
 
 #include <fmt/format.h>
@@ -43,38 +42,34 @@ std::vector<std::string> frame_files(const ExportOrder& order) {
   return files;
 }
 
-/// Adds the stress of each grain, where contacts have forces.
-Moment with_stress(Moment moment, const Record& run, const std::vector<RecordedWall>& walls) {
-  if (!run.scene.method->traits().has_forces()) return moment;
-  const auto in_heap = supported(*moment.grains, moment.contacts);
-  const auto cells = voronoi(moment.grains, in_heap, standing_walls(walls), run.box);
-  for (const auto& grain : grain_stresses(moment.grains, moment.contacts, cells, run.box)) {
-    moment.stress.push_back(grain.stress);
-    moment.area.push_back(grain.area);
-  }
-  return moment;
-}
-
 /// `walls` are those that stand at the time of the moment, by number.
-using Use = std::function<void(const Moment&, const std::vector<RecordedWall>& walls, std::size_t number)>;
+template <int D>
+using Use = std::function<void(const Moment<D>&, const std::vector<RecordedWall<D>>& walls, std::size_t number)>;
 
-/// Goes through the saved frames, in order, and the last state, one at a time; returns how many these are.
-std::size_t for_every_moment(const ExportOrder& order, const Record& last, const Use& use) {
+/// Goes through the saved frames, in order, and the last state, one at a time; returns how many these are. Where
+/// contacts have forces, each grain has its stress.
+template <int D>
+std::size_t for_every_moment(const ExportOrder& order, const Record<D>& last, const Use<D>& use) {
+  const bool forces = last.scene.method->traits().has_forces();
+  const auto use_with_stress = [&](Moment<D> moment, const std::vector<RecordedWall<D>>& walls, std::size_t number) {
+    if (forces) add_stress(moment, walls, last.box);
+    use(moment, walls, number);
+  };
   std::size_t number = 0;
   for (const auto& path : frame_files(order)) {
     auto moment = read_frame(path, last);
     if (moment.step >= last.facts.steps) break;  // the last state itself
     const auto walls = walls_at(last, moment.time);
-    use(with_stress(std::move(moment), last, walls), walls, number++);
+    use_with_stress(std::move(moment), walls, number++);
   }
-  use(with_stress({last.facts.time, last.facts.steps, last.grains, last.contacts}, last, last.walls), last.walls,
-      number);
+  use_with_stress({last.facts.time, last.facts.steps, last.grains, last.contacts}, last.walls, number);
   return number + 1;
 }
 
 /// The last state with the series, which has where walls stood at the times of frames.
-Record read_states(const ExportOrder& order) {
-  auto last = read_last_state(order.folder);
+template <int D>
+Record<D> read_states(const ExportOrder& order) {
+  auto last = read_last_state<D>(order.folder);
   if (order.frames) read_series(Hdf5Reader(order.folder + "/run.h5"), last);
   return last;
 }
@@ -98,22 +93,30 @@ void export_fields(const ExportOrder& order, const std::string& folder, Exported
   }
 }
 
+VtkPolyData walls_of(const std::vector<RecordedWall<2>>& walls, const Moment<2>& moment) {
+  return walls_for_vtk(lines_of(walls, moment));
+}
+VtkPolyData walls_of(const std::vector<RecordedWall<3>>& walls, const Moment<3>& moment) {
+  return walls_for_vtk(surfaces_of(walls, moment));
+}
+
+template <int D>
 void export_vtk(const ExportOrder& order, const std::string& folder, Exported& done) {
-  const auto last = read_states(order);
+  const auto last = read_states<D>(order);
   std::vector<std::pair<double, std::string>> grains;
   std::vector<std::pair<double, std::string>> contacts;
   std::vector<std::pair<double, std::string>> walls;
-  const auto add = [&](auto& series, const char* name, const Moment& moment, std::size_t number,
+  const auto add = [&](auto& series, const char* name, const Moment<D>& moment, std::size_t number,
                        const VtkPolyData& data) {
     series.emplace_back(moment.time, fmt::format("{}_{}.vtp", name, numbered(number)));
     write_vtp(folder + "/" + series.back().second, data);
   };
   const bool forces = last.scene.method->traits().has_forces();
-  done.moments = for_every_moment(
-      order, last, [&](const Moment& moment, const std::vector<RecordedWall>& standing, std::size_t number) {
+  done.moments = for_every_moment<D>(
+      order, last, [&](const Moment<D>& moment, const std::vector<RecordedWall<D>>& standing, std::size_t number) {
         add(grains, "grains", moment, number, grains_for_vtk(moment));
         add(contacts, "contacts", moment, number, contacts_for_vtk(moment, last.box, forces));
-        if (!standing.empty()) add(walls, "walls", moment, number, walls_for_vtk(lines_of(standing, moment)));
+        if (!standing.empty()) add(walls, "walls", moment, number, walls_of(standing, moment));
       });
   const auto finish = [&](const auto& series, const char* name) {
     if (series.empty()) return;
@@ -123,14 +126,15 @@ void export_vtk(const ExportOrder& order, const std::string& folder, Exported& d
   finish(grains, "grains");
   finish(contacts, "contacts");
   finish(walls, "walls");
-  export_fields(order, folder, done);
+  if (D == 2) export_fields(order, folder, done);
 }
 
+template <int D>
 void export_ovito(const ExportOrder& order, const std::string& folder, Exported& done) {
-  const auto last = read_states(order);
+  const auto last = read_states<D>(order);
   WholeFile grains(folder + "/grains.dump");
   WholeFile contacts(folder + "/contacts.dump");
-  done.moments = for_every_moment(order, last, [&](const Moment& moment, const auto&, std::size_t) {
+  done.moments = for_every_moment<D>(order, last, [&](const Moment<D>& moment, const auto&, std::size_t) {
     add_grains_for_lammps(grains, moment, last.box);
     add_contacts_for_lammps(contacts, moment, last.box);
   });
@@ -173,8 +177,9 @@ void export_csv(const ExportOrder& order, const std::string& folder, Exported& d
 }
 
 void export_contact_problem(const ExportOrder& order, const std::string& folder, Exported& done) {
+  refuse_spheres(order.folder, "the export of contact problems");
   done.files = {"problem.h5"};
-  write_contact_problem(folder + "/" + done.files.front(), next_contact_problem(read_last_state(order.folder)));
+  write_contact_problem(folder + "/" + done.files.front(), next_contact_problem(read_last_state<2>(order.folder)));
   done.moments = 1;
 }
 
@@ -201,8 +206,19 @@ void move_in(const fs::path& from, const fs::path& to) {
 }  // namespace
 
 Exported export_run(const ExportOrder& order) {
-  const std::map<std::string, ExportWriter> writers = {
-      {"vtk", export_vtk}, {"ovito", export_ovito}, {"csv", export_csv}, {"contact-problem", export_contact_problem}};
+  const auto in_its_dimension = [&](const auto& write) {
+    return [&order, write](const ExportOrder&, const std::string& folder, Exported& done) {
+      with_dimension(run_dimension(order.folder), [&](auto dimension) { write(dimension, folder, done); });
+    };
+  };
+  const auto vtk = [&](auto dimension, const auto& folder, auto& done) { export_vtk<dimension>(order, folder, done); };
+  const auto ovito = [&](auto dimension, const auto& folder, auto& done) {
+    export_ovito<dimension>(order, folder, done);
+  };
+  const std::map<std::string, ExportWriter> writers = {{"vtk", in_its_dimension(vtk)},
+                                                       {"ovito", in_its_dimension(ovito)},
+                                                       {"csv", export_csv},
+                                                       {"contact-problem", export_contact_problem}};
   return export_run(order, writers.at(order.to));
 }
 

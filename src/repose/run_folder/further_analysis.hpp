@@ -4,6 +4,7 @@
 
 #include "repose/record/record.hpp"
 #include "repose/results/results.hpp"
+#include "repose/results/sphere_results.hpp"
 
 namespace repose {
 
@@ -16,6 +17,8 @@ struct FurtherAnalysis {
 
 /// The analysis of a record, with that and with what its scene asks for. Throws InputError where the record has no
 /// force range.
-Results analyse(const Record& record, const FurtherAnalysis& further);
+Results<2> analyse(const Record<2>& record, const FurtherAnalysis& further);
+/// Throws InputError where that is asked for: it is for discs.
+Results<3> analyse(const Record<3>& record, const FurtherAnalysis& further);
 
 }  // namespace repose

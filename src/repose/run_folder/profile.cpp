@@ -18,13 +18,15 @@ double total(const std::vector<Profile::Line>& lines) {
 }
 
 /// Grain-steps per second of the time in which the run advanced.
-double rate(const Simulation& simulation) {
+template <int D>
+double rate(const Simulation<D>& simulation) {
   return simulation.wall_seconds() > 0.0 ? simulation.grain_steps() / simulation.wall_seconds() : 0.0;
 }
 
 }  // namespace
 
-std::string describe_profile(const Simulation& simulation) {
+template <int D>
+std::string describe_profile(const Simulation<D>& simulation) {
   const auto lines = simulation.profile()->lines();
   const double all = total(lines);
   auto text = fmt::format("\n{:24}{:>11}{:>8}{:>11}\n", "stage", "seconds", "%", "calls");
@@ -36,7 +38,8 @@ std::string describe_profile(const Simulation& simulation) {
   return text + fmt::format("{:.3g} million grain-steps per second\n", rate(simulation) / 1e6);
 }
 
-std::string profile_text(const Simulation& simulation) {
+template <int D>
+std::string profile_text(const Simulation<D>& simulation) {
   const auto lines = simulation.profile()->lines();
   nlohmann::ordered_json json;
   json["seconds"] = total(lines);
@@ -48,5 +51,10 @@ std::string profile_text(const Simulation& simulation) {
   }
   return json.dump(2) + "\n";
 }
+
+template std::string describe_profile(const Simulation<2>&);
+template std::string describe_profile(const Simulation<3>&);
+template std::string profile_text(const Simulation<2>&);
+template std::string profile_text(const Simulation<3>&);
 
 }  // namespace repose

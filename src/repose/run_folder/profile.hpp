@@ -9,10 +9,12 @@
 namespace repose {
 
 /// The profile of a run as a table for the terminal.
-std::string describe_profile(const Simulation& simulation);
+template <int D>
+std::string describe_profile(const Simulation<D>& simulation);
 
 /// The text of profile.json. Times of the clock stay out of the other files, which a repeated run writes to the same
 /// bits.
-std::string profile_text(const Simulation& simulation);
+template <int D>
+std::string profile_text(const Simulation<D>& simulation);
 
 }  // namespace repose

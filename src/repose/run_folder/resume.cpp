@@ -31,8 +31,10 @@ Status status_in(const std::string& folder) {
 bool complete_analysis(const std::string& folder, const FolderLock& lock) {
   const auto path = folder + "/summary.json";
   if (path_exists(path) && summary_status(text_of_file(path)) == status_text(Status::finished)) return false;
-  const auto record = read_record(folder);
-  write_results(folder, lock, record, analyse(record, {}));
+  with_dimension(run_dimension(folder), [&](auto dimension) {
+    const auto record = read_record<dimension>(folder);
+    write_results(folder, lock, record, analyse(record, {}));
+  });
   return true;
 }
 
@@ -41,7 +43,7 @@ bool complete_analysis(const std::string& folder, const FolderLock& lock) {
 InterruptedRun find_interrupted(const std::string& folder) {
   InterruptedRun run;
   run.lock = std::make_unique<FolderLock>(folder);
-  RunFolder::complete_start(folder);
+  complete_start(folder);
   for (const auto* name : {"scene.toml", "run.h5"}) {
     if (!path_exists(std::filesystem::path(folder) / name)) {
       throw InputError(fmt::format("{}: holds no run: no {}", folder, name));
@@ -70,9 +72,14 @@ InterruptedRun find_interrupted(const std::string& folder) {
   return run;
 }
 
-std::unique_ptr<RunFolder> resumed_folder(const std::string& folder, InterruptedRun& run, Simulation& simulation) {
-  if (run.checkpoint) return std::make_unique<RunFolder>(folder, *run.checkpoint, simulation, std::move(run.lock));
-  return std::make_unique<RunFolder>(folder, simulation, std::move(run.lock));
+template <int D>
+std::unique_ptr<RunFolder<D>> resumed_folder(const std::string& folder, InterruptedRun& run,
+                                             Simulation<D>& simulation) {
+  if (run.checkpoint) return std::make_unique<RunFolder<D>>(folder, *run.checkpoint, simulation, std::move(run.lock));
+  return std::make_unique<RunFolder<D>>(folder, simulation, std::move(run.lock));
 }
+
+template std::unique_ptr<RunFolder<2>> resumed_folder(const std::string&, InterruptedRun&, Simulation<2>&);
+template std::unique_ptr<RunFolder<3>> resumed_folder(const std::string&, InterruptedRun&, Simulation<3>&);
 
 }  // namespace repose

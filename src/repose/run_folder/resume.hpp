@@ -28,6 +28,7 @@ struct InterruptedRun {
 InterruptedRun find_interrupted(const std::string& folder);
 
 /// Brings a new simulation of the scene to where the run was, and returns the folder with its lock. Throws InputError.
-std::unique_ptr<RunFolder> resumed_folder(const std::string& folder, InterruptedRun& run, Simulation& simulation);
+template <int D>
+std::unique_ptr<RunFolder<D>> resumed_folder(const std::string& folder, InterruptedRun& run, Simulation<D>& simulation);
 
 }  // namespace repose

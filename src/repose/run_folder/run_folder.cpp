@@ -14,6 +14,7 @@
 #include "repose/results/summary.hpp"
 #include "repose/run_folder/further_analysis.hpp"
 #include "repose/run_folder/profile.hpp"
+#include "repose/scene/start.hpp"
 #include "repose/scene/write.hpp"
 
 #include <fmt/format.h>
@@ -48,13 +49,23 @@ bool holds_nothing(const fs::path& path) {
                      [](const auto& entry) { return entry.path().filename() == unready; });
 }
 
-/// What the run of a folder starts from, under whatever ending.
+/// What the run of a folder starts from, under whatever ending, and the surfaces of its walls.
 std::vector<fs::path> start_files(const fs::path& path) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(path)) {
-    if (entry.is_regular_file() && entry.path().stem() == "start") files.push_back(entry.path());
+    const auto stem = entry.path().stem().string();
+    if (entry.is_regular_file() && (stem == "start" || stem.starts_with("surface-"))) files.push_back(entry.path());
   }
   return files;
+}
+
+/// Copies the files that walls consist of to where the scene of the run looks for them.
+void copy_surfaces(const Scene& scene, const fs::path& to) {
+  for (std::size_t k = 0; k < scene.pieces.size(); ++k) {
+    const auto& shape = scene.pieces[k].shape;
+    const auto from = shape ? shape->found_file() : std::string();
+    if (!from.empty()) fs::copy_file(from, to / surface_file(k), fs::copy_options::overwrite_existing);
+  }
 }
 
 void clear_older_run(const fs::path& path) {
@@ -66,7 +77,7 @@ void clear_older_run(const fs::path& path) {
 
 }  // namespace
 
-std::vector<std::string> RunFolder::problems(const std::string& path, bool overwrite) {
+std::vector<std::string> run_folder_problems(const std::string& path, bool overwrite) {
   auto found = folder_problems(path);
   if (!found.empty() || !path_exists(path) || holds_nothing(path)) return found;
   if (!overwrite) return {fmt::format("{}: folder is not empty; choose another --out, or --overwrite", path)};
@@ -76,7 +87,7 @@ std::vector<std::string> RunFolder::problems(const std::string& path, bool overw
   return {};
 }
 
-void RunFolder::complete_start(const std::string& path) {
+void complete_start(const std::string& path) {
   const auto start = fs::path(path) / ready;
   if (!path_exists(start)) return;
   // An older run goes first, so that as long as nothing of the start has been moved, some of it may still be there.
@@ -91,7 +102,8 @@ void RunFolder::complete_start(const std::string& path) {
   fs::remove_all(start);
 }
 
-RunFolder::RunFolder(std::string path, const Simulation& simulation, std::unique_ptr<FolderLock> lock)
+template <int D>
+RunFolder<D>::RunFolder(std::string path, const Simulation<D>& simulation, std::unique_ptr<FolderLock> lock)
     : path_(std::move(path)), lock_(std::move(lock)) {
   const auto ancestor = existing_ancestor(path_);
   std::error_code error;
@@ -110,6 +122,7 @@ RunFolder::RunFolder(std::string path, const Simulation& simulation, std::unique
     write_run(simulation, simulation.record());
     const auto& start = simulation.scene().start;
     if (!start.from.empty()) fs::copy_file(start.path, fs::path(beside) / start.from);
+    copy_surfaces(simulation.scene(), beside);
     path_ = target;
     fs::rename(beside, whole);
     complete_start(path_);
@@ -122,8 +135,9 @@ RunFolder::RunFolder(std::string path, const Simulation& simulation, std::unique
   }
 }
 
-RunFolder::RunFolder(std::string path, const Checkpoint& checkpoint, Simulation& simulation,
-                     std::unique_ptr<FolderLock> lock)
+template <int D>
+RunFolder<D>::RunFolder(std::string path, const Checkpoint& checkpoint, Simulation<D>& simulation,
+                        std::unique_ptr<FolderLock> lock)
     : path_(std::move(path)), lock_(std::move(lock)) {
   const auto state = checkpoint.restore(simulation);
   for (std::size_t k = 0; k < state.frames; ++k) frames_.push_back(numbered(k));
@@ -133,12 +147,13 @@ RunFolder::RunFolder(std::string path, const Checkpoint& checkpoint, Simulation&
 }
 
 /// Writes the state at regular times.
-class RunFolder::Frames final : public Observer {
+template <int D>
+class RunFolder<D>::Frames final : public Observer<D> {
  public:
-  Frames(RunFolder& folder, const Every& times) : folder_(folder), times_(times) {}
+  Frames(RunFolder<D>& folder, const Every& times) : folder_(folder), times_(times) {}
 
   double due_after(double time) const override { return times_.after(time); }
-  void observe(const Simulation& simulation) override {
+  void observe(const Simulation<D>& simulation) override {
     if (simulation.status() != Status::running) return;
     const Profile::Stage stage(simulation.profile(), "frames");
     auto record = simulation.record();
@@ -149,11 +164,12 @@ class RunFolder::Frames final : public Observer {
   }
 
  private:
-  RunFolder& folder_;
+  RunFolder<D>& folder_;
   Every times_;
 };
 
-void RunFolder::run(Simulation& simulation, const std::atomic<bool>& interrupt) {
+template <int D>
+void RunFolder<D>::run(Simulation<D>& simulation, const std::atomic<bool>& interrupt) {
   simulation.add(std::make_unique<Frames>(*this, Every(simulation.scene().output.frames, simulation.time_steps())));
   simulation.run([&] {
     const bool last = interrupt;
@@ -164,7 +180,8 @@ void RunFolder::run(Simulation& simulation, const std::atomic<bool>& interrupt) 
 }
 
 /// Writes a checkpoint if one is due by wall time, or now. An older checkpoint stays if that fails.
-void RunFolder::keep(Simulation& simulation, bool now) {
+template <int D>
+void RunFolder<D>::keep(Simulation<D>& simulation, bool now) {
   constexpr double least_between = 100.0;  // times what a checkpoint costs, so that it costs less than 1 %
   const double interval = simulation.scene().output.checkpoint;
   const auto seconds_since = [](Clock::time_point time) {
@@ -181,7 +198,8 @@ void RunFolder::keep(Simulation& simulation, bool now) {
   cost_ = seconds_since(start);
 }
 
-void RunFolder::write_track(const Simulation& simulation) {
+template <int D>
+void RunFolder<D>::write_track(const Simulation<D>& simulation) {
   if (simulation.track().size() == moments_written_) return;
   std::error_code error;
   fs::create_directories(path_ + "/track", error);
@@ -192,7 +210,8 @@ void RunFolder::write_track(const Simulation& simulation) {
   segments_.push_back(name);
 }
 
-void RunFolder::write_frame(const Record& record) {
+template <int D>
+void RunFolder<D>::write_frame(const Record<D>& record) {
   std::error_code error;
   fs::create_directories(path_ + "/frames", error);
   const auto name = numbered(frames_.size());
@@ -207,30 +226,35 @@ void RunFolder::write_frame(const Record& record) {
   frames_.push_back(name);
 }
 
-void RunFolder::write(const Simulation& simulation, const Written& written) {
+template <int D>
+void RunFolder<D>::write(const Simulation<D>& simulation, const Written& written) {
   lock_->check_place();
   write_track(simulation);
   write_run(simulation, simulation.record(), written);
   remove_needless_checkpoints(simulation.status());
 }
 
-void RunFolder::write_last(Simulation& simulation, const Written& written) {
+template <int D>
+void RunFolder<D>::write_last(Simulation<D>& simulation, const Written& written) {
   lock_->check_place();
   write_track(simulation);
   write_run(simulation, simulation.last_record(), written);
   remove_needless_checkpoints(simulation.status());
 }
 
-void RunFolder::remove_needless_checkpoints(Status status) {
+template <int D>
+void RunFolder<D>::remove_needless_checkpoints(Status status) {
   if (status == Status::finished || status == Status::failed) remove_checkpoints(path_);
 }
 
-void RunFolder::write_profile(const Simulation& simulation) {
+template <int D>
+void RunFolder<D>::write_profile(const Simulation<D>& simulation) {
   lock_->check_place();
   write_text_file(path_ + "/" + profile_file, profile_text(simulation));
 }
 
-void RunFolder::write_run(const Simulation& simulation, Record record, const Written& written) {
+template <int D>
+void RunFolder<D>::write_run(const Simulation<D>& simulation, Record<D> record, const Written& written) {
   const Profile::Stage stage(simulation.profile(), "writing");
   lock_->check_place();
   write_record(path_ + "/run.h5", record, frames_, segments_);
@@ -243,11 +267,18 @@ void RunFolder::write_run(const Simulation& simulation, Record record, const Wri
   if (written) written(record, results);
 }
 
-void write_results(const std::string& folder, const FolderLock& lock, const Record& record, const Results& results) {
+template <int D>
+void write_results(const std::string& folder, const FolderLock& lock, const Record<D>& record,
+                   const Results<D>& results) {
   lock.check_place();
   write_analysis(folder + "/analysis.h5", record, results);
   lock.check_place();
   write_text_file(folder + "/summary.json", summary_text(record, results));
 }
+
+template class RunFolder<2>;
+template class RunFolder<3>;
+template void write_results(const std::string&, const FolderLock&, const Record<2>&, const Results<2>&);
+template void write_results(const std::string&, const FolderLock&, const Record<3>&, const Results<3>&);
 
 }  // namespace repose

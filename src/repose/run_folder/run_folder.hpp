@@ -4,6 +4,7 @@
 
 #include "repose/io/folders.hpp"
 #include "repose/results/results.hpp"
+#include "repose/results/sphere_results.hpp"
 #include "repose/run_folder/checkpoint.hpp"
 #include "repose/simulation/simulation.hpp"
 
@@ -16,51 +17,53 @@
 
 namespace repose {
 
+/// Why a run cannot be written into a folder, one line for each reason; nothing is touched.
+std::vector<std::string> run_folder_problems(const std::string& path, bool overwrite);
+
+/// Moves a start that was written whole, but cut off before it was in its place, there; else does nothing. For the
+/// holder of the lock.
+void complete_start(const std::string& path);
+
 /// The folder that a run writes; see docs/reference/run-folder.md.
+template <int D = 2>
 class RunFolder {
  public:
   /// Called with what was written.
-  using Written = std::function<void(const Record&, const Results&)>;
-
-  /// Why a run cannot be written here, one line for each reason; nothing is touched.
-  static std::vector<std::string> problems(const std::string& path, bool overwrite);
+  using Written = std::function<void(const Record<D>&, const Results<D>&)>;
 
   /// Makes the folder (or clears an older run out of it) and writes scene.toml and the state at the start. Throws
   /// InputError if that fails, and then leaves no half-written folder.
   /// The lock of a folder that is held already is handed over.
-  RunFolder(std::string path, const Simulation& simulation, std::unique_ptr<FolderLock> lock = nullptr);
+  RunFolder(std::string path, const Simulation<D>& simulation, std::unique_ptr<FolderLock> lock = nullptr);
 
   /// Resumes an older run where its checkpoint left it: `simulation` is given the state back.
-  RunFolder(std::string path, const Checkpoint& checkpoint, Simulation& simulation, std::unique_ptr<FolderLock> lock);
-
-  /// Moves a start that was written whole, but cut off before it was in its place, there; else does nothing. For the
-  /// holder of the lock.
-  static void complete_start(const std::string& path);
+  RunFolder(std::string path, const Checkpoint& checkpoint, Simulation<D>& simulation,
+            std::unique_ptr<FolderLock> lock);
 
   /// Runs a simulation until it stops or `interrupt` becomes true, and writes its frames and checkpoints. Throws
   /// RunError.
-  void run(Simulation& simulation, const std::atomic<bool>& interrupt);
+  void run(Simulation<D>& simulation, const std::atomic<bool>& interrupt);
 
   /// Writes the present state and its analysis. Throws RunError; the files of an earlier state stay then.
-  void write(const Simulation& simulation, const Written& written = {});
+  void write(const Simulation<D>& simulation, const Written& written = {});
 
   /// The same for a run that ends here (Simulation::last_record).
-  void write_last(Simulation& simulation, const Written& written);
+  void write_last(Simulation<D>& simulation, const Written& written);
 
   /// Writes profile.json, for a simulation whose profile has been started. Throws RunError.
-  void write_profile(const Simulation& simulation);
+  void write_profile(const Simulation<D>& simulation);
 
   /// Writes a checkpoint if one is due by wall time, or `now`. Throws RunError; an older checkpoint stays then.
-  void keep(Simulation& simulation, bool now);
+  void keep(Simulation<D>& simulation, bool now);
 
   const std::string& path() const { return path_; }
 
  private:
   class Frames;
 
-  void write_track(const Simulation& simulation);
-  void write_frame(const Record& record);
-  void write_run(const Simulation& simulation, Record record, const Written& written = {});
+  void write_track(const Simulation<D>& simulation);
+  void write_frame(const Record<D>& record);
+  void write_run(const Simulation<D>& simulation, Record<D> record, const Written& written = {});
   void remove_needless_checkpoints(Status status);
 
   using Clock = std::chrono::steady_clock;
@@ -76,6 +79,8 @@ class RunFolder {
 };
 
 /// Writes what the analysis says, analysis.h5 and then summary.json, into a run folder that is locked. Throws RunError.
-void write_results(const std::string& folder, const FolderLock& lock, const Record& record, const Results& results);
+template <int D>
+void write_results(const std::string& folder, const FolderLock& lock, const Record<D>& record,
+                   const Results<D>& results);
 
 }  // namespace repose

@@ -113,7 +113,9 @@ class Listing final : public Parameters {
   }
   void look_at(const Item& item, const Whole& whole, KeyText& text) {
     if (text.required) return;
-    branch(item, fmt::format("not {}", whole.value));
+    // The other one of two values that it may have.
+    const bool one_of_two = whole.bounds.high == whole.value + 1 && whole.bounds.low == whole.value;
+    branch(item, one_of_two ? fmt::format("{}", whole.bounds.high) : fmt::format("not {}", whole.value));
     if (!setting(text.key).empty()) ++whole.value;
   }
   void look_at(const Item& item, const Number& number, KeyText& text) {
@@ -173,6 +175,8 @@ class Search {
 
   void follow(const Branch& branch, Settings settings, std::vector<KeyCondition> conditions, const Listing& before) {
     if (branch.key == "method.kind") return;
+    const bool other_dimension = branch.key == "dimension";
+    if (other_dimension && !method_kinds().make(method_)->in_dimension(3)) return;
     settings[branch.key] = branch.value;
     conditions.push_back({branch.key, {branch.value}, branch.meaning});
     const auto now = listing_with(settings);
@@ -183,9 +187,9 @@ class Search {
     }
     for (const auto& next : now.branches) {
       const auto known = [&](const auto& other) { return other.key == next.key && other.value == next.value; };
-      if (next.key != branch.key && std::none_of(before.branches.begin(), before.branches.end(), known)) {
-        follow(next, settings, conditions, now);
-      }
+      // In another dimension every choice may show other keys.
+      const bool fresh = std::none_of(before.branches.begin(), before.branches.end(), known);
+      if (next.key != branch.key && (fresh || other_dimension)) follow(next, settings, conditions, now);
     }
   }
 

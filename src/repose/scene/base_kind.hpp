@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "repose/boundaries/wall.hpp"
 #include "repose/core/grains.hpp"
 #include "repose/scene/kind.hpp"
 #include "repose/scene/method_kind.hpp"
@@ -14,11 +13,19 @@
 
 namespace repose {
 
+/// A base that is a wall.
+struct BasePlane {
+  bool smooth = false;
+  std::uint16_t material = 0;
+};
+
 /// What grains rest on, at height 0, as a scene chooses it.
 class BaseKind : public AnyKind<BaseKind> {
  public:
   /// Whether it can stand under a method.
   virtual bool suits(const MethodTraits& method) const { return method.follows_time; }
+  /// Whether grains can rest on it in so many dimensions.
+  virtual bool in_dimension(std::int64_t dimension) const { return dimension == 2; }
 
   /// The keys base.*, besides the kind.
   virtual void keys(const Scene& scene, Parameters& keys) = 0;
@@ -29,6 +36,8 @@ class BaseKind : public AnyKind<BaseKind> {
   virtual bool of_one_size() const { return false; }
   /// [L] Its grains lie at x from - this to this, unless they go round a periodic box.
   virtual double reach(const Scene& /*scene*/) const { return 0.0; }
+  /// [L^2] of the base that belongs to each of its spheres, where all have the same.
+  virtual std::optional<double> area_of_grain() const { return std::nullopt; }
   virtual double depth() const { return 0.0; }  ///< [L] how far its centres lie below height 0 at most
   /// [L] half the width of the box, where the base decides it.
   virtual std::optional<double> box_half_width(const Scene& /*scene*/) const { return std::nullopt; }
@@ -40,13 +49,15 @@ class BaseKind : public AnyKind<BaseKind> {
   /// [L] height of the centre of a grain that stands on it, not in a hollow.
   virtual double height_on_top(const Scene& /*scene*/, double diameter) const { return 0.5 * diameter; }
 
-  /// The wall that it is, if it is one.
-  virtual std::optional<Wall<2>> wall(const Scene& /*scene*/) const { return std::nullopt; }
+  /// The level wall at height 0 that it is, if it is one.
+  virtual std::optional<BasePlane> wall(const Scene& /*scene*/) const { return std::nullopt; }
 
   virtual std::string describe() const { return std::string(name()); }
 
   /// Its fixed grains, by ascending x; `id` is that of the next one. Defined in simulation/sources/base.cpp.
   virtual void add_grains(const Scene& /*scene*/, Grains<2>& /*grains*/, std::int64_t& /*id*/) const {}
+  /// The same of spheres, by ascending x, then y.
+  virtual void add_grains(const Scene& /*scene*/, Grains<3>& /*grains*/, std::int64_t& /*id*/) const {}
 };
 
 inline constexpr double most_base_grains = 1e7;

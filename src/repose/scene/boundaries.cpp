@@ -16,12 +16,16 @@ namespace repose {
 
 namespace {
 
-constexpr std::array<double, 2> origin{0.0, 0.0};
+constexpr Coordinates origin{};
 
 void base_key(Scene& scene, Parameters& keys) {
   const auto traits = scene.method->traits();
-  const auto suits = [&](const BaseKind& base) { return base.suits(traits); };
-  kind_key("base.kind", scene.base, base_kinds(), suits, {traits.follows_time ? "none" : "contiguous", ""},
+  const auto suits = [&](const BaseKind& base) { return base.suits(traits) && base.in_dimension(scene.dimension); };
+  kind_key("base.kind", scene.base, base_kinds(), suits,
+           {traits.follows_time    ? "none"
+            : scene.dimension == 2 ? "contiguous"
+                                   : "floor",
+            ""},
            "what the grains rest on, at height 0", keys);
   scene.base->keys(scene, keys);
 }
@@ -30,8 +34,9 @@ void box_keys(Scene& scene, Parameters& keys) {
   const double d = scene.grains.diameter;
   const bool in_time = scene.method->traits().follows_time;
   const auto of_base = scene.base->box_half_width(scene);
-  const std::vector<Word> sides =
-      in_time ? std::vector<Word>{"open", "periodic"} : std::vector<Word>{"periodic", "walls"};
+  const std::vector<Word> sides = in_time                ? std::vector<Word>{"open", "periodic"}
+                                  : scene.dimension == 2 ? std::vector<Word>{"periodic", "walls"}
+                                                         : std::vector<Word>{"open", "periodic", "walls"};
   keys.choice("box.x", scene.box.x,
               {of_base ? "periodic" : "open", in_time ? "\"open\"; \"periodic\" over a contiguous base" : ""}, sides,
               in_time ? "its sides; grains that leave an open box are lost and counted" : "its sides");
@@ -44,6 +49,11 @@ void box_keys(Scene& scene, Parameters& keys) {
                  "base.half_width, or 200 d without a base of grains; 20 d more if open"},
                 positive, "L", "x from -half_width to half_width");
   }
+  if (scene.dimension == 3) {
+    keys.choice("box.y", scene.box.y, {scene.box.x, "as box.x"}, sides, "its sides along y");
+    keys.number("box.half_depth", scene.box.half_depth, {scene.box.half_width, "box.half_width"}, positive, "L",
+                "y from -half_depth to half_depth");
+  }
   if (!in_time) return;
   keys.optional_number(
       "box.floor", scene.box.floor, {"auto", ""}, any, "L",
@@ -51,22 +61,24 @@ void box_keys(Scene& scene, Parameters& keys) {
 }
 
 void wall_keys(SceneWall& wall, const DefaultOf<std::string_view>& name, const Scene& scene, Parameters& keys) {
+  const auto suits = [&](const MotionKind& motion) { return motion.in_dimension(scene.dimension); };
   keys.text("name", wall.name, name, "name of its series in the output");
   keys.flag("smooth", wall.smooth, "as base.smooth");
   material_key("material", wall.material, scene, keys);
-  kind_key("motion", wall.motion, motion_kinds(), any_kind, "fixed", "how it moves", keys);
-  wall.motion->keys(keys);
+  kind_key("motion", wall.motion, motion_kinds(), suits, "fixed", "how it moves", keys);
+  wall.motion->keys(keys, scene.dimension);
   keys.optional_number("opens_at", wall.opens_at, {"", "never"}, not_negative, "T", "the wall is removed at this time");
 }
 
-void check_direction(const std::string& key, const std::array<double, 2>& vector, Problems& problems) {
-  if (reproducible::hypot(vector[0], vector[1]) < 1e-100 && problems.sound(key)) {
-    problems.problem(key, fmt::format(" = [{}, {}]: must have a direction", vector[0], vector[1]));
-  }
+void check_direction(const std::string& key, const Coordinates& vector, const Scene& scene, Problems& problems) {
+  if (reproducible::hypot(reproducible::hypot(vector[0], vector[1]), vector[2]) >= 1e-100) return;
+  if (!problems.sound(key)) return;
+  problems.problem(key, fmt::format(" = {}: must have a direction", coordinates_text(vector, scene.dimension)));
 }
 
 /// An explicit step must follow a piston on its spring and between the grains that may touch it at once.
-void check_piston(const std::string& prefix, const Wall<2>& piston, const Scene& scene, Problems& problems) {
+template <int D>
+void check_piston(const std::string& prefix, const Wall<D>& piston, const Scene& scene, Problems& problems) {
   const auto& motion = piston.motion;
   const double step = scene.time_step();
   const double frequency = scene.contact_frequency();
@@ -90,7 +102,7 @@ void check_motion(const std::string& prefix, const SceneWall& wall, std::size_t 
     }
   }
   if (const auto* direction = wall.motion->direction()) {
-    check_direction(prefix + std::string(wall.motion->direction_key()), *direction, problems);
+    check_direction(prefix + std::string(wall.motion->direction_key()), *direction, scene, problems);
   }
   const auto* piston = wall.motion.as<Piston>();
   if (piston != nullptr && piston->surface_speed != 0.0 && scene.method->traits().impulse_laws &&
@@ -101,7 +113,8 @@ void check_motion(const std::string& prefix, const SceneWall& wall, std::size_t 
                                  piston->surface_speed));
   }
   if (piston == nullptr || !scene.method->traits().force_laws || !problems.none()) return;
-  check_piston(prefix, make_walls(scene)[number], scene, problems);
+  with_dimension(scene.dimension,
+                 [&](auto dimension) { check_piston(prefix, make_walls<dimension>(scene)[number], scene, problems); });
 }
 
 /// Walls are known by their names in the output.
@@ -132,6 +145,12 @@ void check_box(const Scene& scene, Problems& problems) {
                                  "half of a periodic box",
                                  box.half_width, scene.contact_reach() * scene.largest_diameter()));
   }
+  if (scene.dimension == 3 && box.periodic_y() && problems.sound("box.half_depth") &&
+      box.half_depth < 4.0 * scene.largest_diameter()) {
+    problems.problem("box.half_depth", fmt::format(" = {}: a periodic box must be at least 8 of the largest diameters "
+                                                   "deep",
+                                                   box.half_depth));
+  }
   if (!box.periodic() && scene.base->of_grains() && problems.sound("base.half_width") &&
       box.half_width < scene.base->reach(scene)) {
     problems.problem("box.half_width", fmt::format(" = {}: must be at least base.half_width = {}", box.half_width,
@@ -144,12 +163,14 @@ void check_planes(const Scene& scene, Problems& problems) {
   for (std::size_t k = 0; k < scene.planes.size(); ++k) {
     const auto prefix = fmt::format("plane[{}].", k);
     const auto& normal = scene.planes[k].normal;
-    check_direction(prefix + "normal", normal, problems);
-    if (scene.box.periodic() && std::fabs(normal[0]) > 1e-12 * std::fabs(normal[1]) &&
-        problems.sound(prefix + "normal")) {
+    check_direction(prefix + "normal", normal, scene, problems);
+    const double level = 1e-12 * std::fabs(normal[scene.vertical()]);
+    const bool leans_x = scene.box.periodic() && std::fabs(normal[0]) > level;
+    const bool leans_y = scene.dimension == 3 && scene.box.periodic_y() && std::fabs(normal[1]) > level;
+    if ((leans_x || leans_y) && problems.sound(prefix + "normal")) {
       problems.problem(prefix + "normal",
-                       fmt::format(" = [{}, {}]: a plane must be level in a periodic box; a [[wall]] need not be",
-                                   normal[0], normal[1]));
+                       fmt::format(" = {}: a plane must be level in a periodic box; a [[wall]] need not be",
+                                   coordinates_text(normal, scene.dimension)));
     }
     if (scene.planes[k].motion.as<RotatingWall>() != nullptr && problems.sound(prefix + "motion")) {
       problems.problem(prefix + "motion", " = \"rotation\": a plane is endless; a [[wall]] can rotate");
@@ -158,8 +179,26 @@ void check_planes(const Scene& scene, Problems& problems) {
   }
 }
 
+/// Walls of finite extent in three dimensions. `before`: walls of the scene that precede them.
+void check_shapes(std::size_t before, const Scene& scene, Problems& problems) {
+  for (std::size_t k = 0; k < scene.pieces.size(); ++k) {
+    const auto& piece = scene.pieces[k];
+    const auto prefix = fmt::format("wall[{}].", k);
+    piece.shape->check(prefix, scene.grains.diameter, problems);
+    if (!problems.none()) continue;
+    const auto walls = piece.shape->walls().size();
+    const bool flat = piece.shape.as<CylinderShape>() == nullptr && piece.shape.as<ConicalShape>() == nullptr;
+    if ((walls > 1 || !flat) && piece.motion.as<Piston>() != nullptr) {
+      problems.problem(prefix + "motion", fmt::format(" = \"{}\": a piston is flat", piece.motion->name()));
+    }
+    check_motion(prefix, piece, before, scene, problems);
+    before += walls;
+  }
+}
+
 void check_pieces(const Scene& scene, Problems& problems) {
   const std::size_t before = (scene.base->wall(scene) ? 1 : 0) + scene.planes.size();
+  if (scene.dimension == 3) return check_shapes(before, scene, problems);
   for (std::size_t k = 0; k < scene.pieces.size(); ++k) {
     const auto& piece = scene.pieces[k];
     const auto prefix = fmt::format("wall[{}].", k);
@@ -178,32 +217,40 @@ void boundary_keys(Scene& scene, Parameters& keys) {
   box_keys(scene, keys);
   if (!scene.method->traits().follows_time) return;
   table_keys(keys, "plane", scene.planes, [&](Parameters& entry, SceneWall& plane, std::size_t k) {
-    entry.vector("point", plane.point, std::nullopt, "L", "a point on the plane");
-    entry.vector("normal", plane.normal, std::nullopt, "", "normal vector, towards the grains");
+    entry.vector("point", plane.point, scene.dimension, std::nullopt, "L", "a point on the plane");
+    entry.vector("normal", plane.normal, scene.dimension, std::nullopt, "", "normal vector, towards the grains");
     wall_keys(plane, {fmt::format("plane {}", k), "\"plane k\""}, scene, entry);
   });
   table_keys(keys, "wall", scene.pieces, [&](Parameters& entry, SceneWall& piece, std::size_t k) {
-    entry.vector("from", piece.from, std::nullopt, "L", "one end of a straight wall, which has two sides");
-    entry.vector("to", piece.to, std::nullopt, "L", "the other end");
+    if (scene.dimension == 2) {
+      entry.vector("from", piece.from, 2, std::nullopt, "L", "one end of a straight wall, which has two sides");
+      entry.vector("to", piece.to, 2, std::nullopt, "L", "the other end");
+    } else {
+      kind_key("shape", piece.shape, shape_kinds(), any_kind, "", "shape of the wall, which has two sides", entry);
+      piece.shape->keys(entry);
+    }
     wall_keys(piece, {fmt::format("wall {}", k), "\"wall k\""}, scene, entry);
   });
-  drum_keys(scene, keys);
+  if (scene.dimension == 2) drum_keys(scene, keys);
   table_keys(keys, "load", scene.loads, [&](Parameters& entry, SceneLoad& load, std::size_t) {
-    entry.vector("force", load.force, std::nullopt, "M L/T^2", "force on one grain");
+    entry.vector("force", load.force, scene.dimension, std::nullopt, "M L/T^2", "force on one grain");
     entry.integer("grain", load.grain, {.low = -1}, "its id; -1: the moving grain nearest to the position");
-    if (load.grain < 0) entry.vector("position", load.position, origin, "L", "place at the start of the load");
+    if (load.grain < 0) {
+      entry.vector("position", load.position, scene.dimension, origin, "L", "place at the start of the load");
+    }
     entry.number("start", load.start, not_negative, "T", "the load begins then");
   });
 }
 
 void check_boundaries(const Scene& scene, Problems& problems) {
+  check_direction("gravity_direction", scene.gravity_direction, scene, problems);
   scene.base->check(scene, problems);
   check_box(scene, problems);
   check_planes(scene, problems);
   check_pieces(scene, problems);
   check_names(scene, problems);
   for (std::size_t k = 0; k < scene.loads.size(); ++k) {
-    check_direction(fmt::format("load[{}].force", k), scene.loads[k].force, problems);
+    check_direction(fmt::format("load[{}].force", k), scene.loads[k].force, scene, problems);
   }
 }
 

@@ -122,6 +122,11 @@ void force_law_keys(MaterialContact& contact, const MaterialContact* like, const
   } else {
     contact.rolling = like->rolling;
   }
+  if (scene.dimension == 3 && own("twisting")) {
+    law_keys("twisting.", contact.twisting, "resistance to twisting, the relative spin about the normal", scales, keys);
+  } else if (scene.dimension == 3) {
+    contact.twisting = like->twisting;
+  }
   if (own("cohesion")) {
     law_keys("cohesion.", contact.cohesion, "attraction", scales, keys);
   } else {
@@ -137,7 +142,7 @@ struct UsualImpulse {
   std::string_view rule;
 };
 
-void impulse_keys(ImpulseLaw& law, const UsualImpulse& usual, Parameters& keys) {
+void impulse_keys(ImpulseLaw& law, const UsualImpulse& usual, const Scene& scene, Parameters& keys) {
   const auto& like = usual.law;
   keys.number("friction", law.friction, {like.friction, usual.friction_rule}, not_negative_or_infinite, "",
               "Coulomb coefficient mu; inf: no sliding");
@@ -148,6 +153,11 @@ void impulse_keys(ImpulseLaw& law, const UsualImpulse& usual, Parameters& keys) 
   keys.number("rolling_friction", law.rolling_friction, {like.rolling_friction, usual.rolling_rule},
               not_negative_or_infinite, "",
               "tan(theta_r): torque over normal force and roll radius 2 r_i r_j/(r_i + r_j) at most; inf: no rolling");
+  if (scene.dimension == 3) {
+    keys.number("twisting_friction", law.twisting_friction, {like.twisting_friction, usual.rule},
+                not_negative_or_infinite, "",
+                "torque about the normal over normal force and roll radius at most; inf: no twisting");
+  }
   keys.number("weakening_velocity", law.weakening_velocity, {like.weakening_velocity, usual.rule}, not_negative, "L/T",
               "slip at which friction has fallen to dynamic_friction, linearly; 0: it does not weaken");
   if (!(law.weakening_velocity > 0.0)) return void(law.dynamic_friction = 0.0);
@@ -281,6 +291,7 @@ std::string force_laws_text(const MaterialContact& contact, const Scene& scene) 
   std::string text = fmt::format("normal law       {}\n", law_text(contact.normal, scales));
   text += fmt::format("tangential law   {}\n", law_text(contact.tangential, scales));
   if (contact.rolling.index() > 0) text += fmt::format("rolling          {}\n", law_text(contact.rolling, scales));
+  if (contact.twisting.index() > 0) text += fmt::format("twisting         {}\n", law_text(contact.twisting, scales));
   if (contact.cohesion.index() > 0) text += fmt::format("cohesion         {}\n", law_text(contact.cohesion, scales));
   return text;
 }
@@ -290,6 +301,7 @@ std::string impulse_text(const MaterialContact& contact, const Scene&) {
   std::string text = fmt::format("rigid contacts   friction {:g}, restitution {:g}", law.friction, law.restitution);
   if (law.tangential_restitution != 0.0) text += fmt::format(", tangential {:g}", law.tangential_restitution);
   if (law.rolling_friction > 0.0) text += fmt::format(", rolling friction {:g}", law.rolling_friction);
+  if (law.twisting_friction > 0.0) text += fmt::format(", twisting friction {:g}", law.twisting_friction);
   if (law.weakening_velocity > 0.0) {
     text += fmt::format(", friction {:g} from slip {:g} on", law.dynamic_friction, law.weakening_velocity);
   }
@@ -350,7 +362,7 @@ void contact_keys(Scene& scene, Parameters& keys) {
   const auto traits = scene.method->traits();
   material_keys(scene, keys);
   Prefixed below("contact.", keys);
-  if (traits.impulse_laws) impulse_keys(scene.contact.impulse, usual_impulse(scene), below);
+  if (traits.impulse_laws) impulse_keys(scene.contact.impulse, usual_impulse(scene), scene, below);
   if (traits.force_laws) {
     below.number("friction", scene.contact.friction, 0.5, not_negative, "", "Coulomb coefficient mu");
     force_law_keys(scene.contact, nullptr, scales_of(scene, scene.contact.friction, 0, 0), scene, below);
@@ -359,7 +371,8 @@ void contact_keys(Scene& scene, Parameters& keys) {
     material_key("first", pair.first, scene, entry);
     material_key("second", pair.second, scene, entry);
     constexpr std::string_view rule = "as under [contact]";
-    if (traits.impulse_laws) impulse_keys(pair.contact.impulse, {scene.contact.impulse, rule, rule, rule}, entry);
+    if (traits.impulse_laws)
+      impulse_keys(pair.contact.impulse, {scene.contact.impulse, rule, rule, rule}, scene, entry);
     if (!traits.force_laws) return;
     entry.number("friction", pair.contact.friction, {scene.contact.friction, rule}, not_negative, "",
                  "as contact.friction");

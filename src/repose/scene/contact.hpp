@@ -22,6 +22,7 @@ struct MaterialContact {
   TangentialLaw tangential;
   RollingLaw rolling;
   CohesionLaw cohesion;
+  TwistingLaw twisting;                    ///< of spheres
   std::optional<double> second_stiffness;  ///< a stiffness that is given beside the moduli of the materials: an error
   /// The law of rigid grains, instead of those above.
   ImpulseLaw impulse{.restitution = unset,
@@ -31,7 +32,7 @@ struct MaterialContact {
                      .dynamic_friction = unset,
                      .weakening_velocity = unset};
 
-  ContactLaws laws() const { return {normal, tangential, rolling, cohesion}; }
+  ContactLaws laws() const { return {normal, tangential, rolling, cohesion, twisting}; }
 };
 
 /// Two materials between which something else acts than [contact] says.

@@ -36,7 +36,7 @@ void drum_keys(Scene& scene, Parameters& keys) {
   table_keys(keys, "drum", scene.drums, [&](Parameters& entry, SceneDrum& drum, std::size_t k) {
     entry.text("name", drum.name, {fmt::format("drum {}", k), "\"drum k\""},
                "its walls are known by this name and their number");
-    entry.vector("centre", drum.centre, std::array{0.0, 0.0}, "L", "about which it rotates");
+    entry.vector("centre", drum.centre, 2, Coordinates{}, "L", "about which it rotates");
     entry.number("radius", drum.radius, required, positive, "L", "from the centre to the middle of each wall");
     const auto usual = usual_pieces(drum, scene.grains.diameter);
     entry.integer("pieces", drum.pieces, usual, few_to_many,
@@ -49,7 +49,7 @@ void drum_keys(Scene& scene, Parameters& keys) {
 }
 
 std::vector<Wall<2>> drum_walls(const SceneDrum& drum, std::uint16_t material) {
-  const Vec<2> centre{{drum.centre[0], drum.centre[1]}};
+  const auto centre = vec<2>(drum.centre);
   const double step = 2.0 * std::numbers::pi / static_cast<double>(drum.pieces);
   const double half_length = drum.radius * reproducible::sin(0.5 * step) / reproducible::cos(0.5 * step);
   std::vector<Wall<2>> walls;

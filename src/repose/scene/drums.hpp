@@ -5,7 +5,6 @@
 #include "repose/boundaries/wall.hpp"
 #include "repose/core/parameters.hpp"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -19,9 +18,9 @@ struct Scene;
 /// A rotating drum: a closed ring of straight walls about a centre.
 struct SceneDrum {
   std::string name;
-  std::array<double, 2> centre{};  ///< [L]
-  double radius = unset;           ///< [L] of the circle through the middles of the walls
-  std::int64_t pieces = 0;         ///< walls of the ring
+  Coordinates centre{};     ///< [L]
+  double radius = unset;    ///< [L] of the circle through the middles of the walls
+  std::int64_t pieces = 0;  ///< walls of the ring
   std::string material;
   double angular_velocity = unset;  ///< [1/T] counter-clockwise
   double start = 0.0;               ///< [T] it stands still until then

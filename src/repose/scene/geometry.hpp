@@ -15,19 +15,23 @@
 namespace repose {
 
 /// The walls of the scene at the start: a base plane first, then planes, walls and drums.
-std::vector<Wall<2>> make_walls(const Scene& scene);
+template <int D = 2>
+std::vector<Wall<D>> make_walls(const Scene& scene);
 
 /// The walls at a time [T]. `states` has an entry for each, or none where all stand still.
-std::vector<WallNow<2>> walls_at(const std::vector<Wall<2>>& walls, const std::vector<WallState>& states, double time);
+template <int D>
+std::vector<WallNow<D>> walls_at(const std::vector<Wall<D>>& walls, const std::vector<WallState>& states, double time);
 
 /// The first wall that a grain of a radius [L] at `centre` would touch, by its number: two bodies touch that are nearer
 /// than `reach` times the sum of their radii.
-std::optional<std::size_t> overlapping_wall(const std::vector<Wall<2>>& walls, const std::vector<WallNow<2>>& now,
-                                            const Box<2>& box, const Vec<2>& centre, double radius, double reach);
+template <int D>
+std::optional<std::size_t> overlapping_wall(const std::vector<Wall<D>>& walls, const std::vector<WallNow<D>>& now,
+                                            const Box<D>& box, const Vec<D>& centre, double radius, double reach);
 
-/// The number of a wall that keeps the smallest grain from every place of a level line, x +- half_width [L]; none if
-/// there is room somewhere. Walls that move or open may give way and do not count.
-std::optional<std::size_t> wall_that_blocks(const Scene& scene, double x, double half_width, double height);
+/// The number of the wall that keeps the smallest grain from the first of these places [L], where walls keep it from
+/// all of them; none if there is room somewhere. Walls that move or open may give way and do not count.
+template <int D>
+std::optional<std::size_t> wall_that_blocks(const Scene& scene, const std::vector<Vec<D>>& places);
 
 /// Their names, in the same order.
 std::vector<std::string> wall_names(const Scene& scene);
@@ -35,9 +39,10 @@ std::vector<std::string> wall_names(const Scene& scene);
 /// A partner of a contact in a message: "grain 7", or "wall floor" by its name.
 std::string partner_name(const Scene& scene, std::int64_t partner);
 
-Box<2> make_box(const Scene& scene);
+template <int D = 2>
+Box<D> make_box(const Scene& scene);
 
-/// The sides [L] between which grains lie at the start: those of the box, or upright planes nearer by.
+/// The sides [L] between which grains lie along x at the start: those of the box, or upright planes nearer by.
 struct UprightSides {
   double left = 0.0, right = 0.0;
 };

@@ -3,6 +3,7 @@
 //
 // The kinds that come with the library: a new one is its header and one entry here.
 #include "repose/scene/bases/bare.hpp"
+#include "repose/scene/bases/bed.hpp"
 #include "repose/scene/bases/counted.hpp"
 #include "repose/scene/bases/deposited.hpp"
 #include "repose/scene/bases/row.hpp"
@@ -11,6 +12,7 @@
 #include "repose/scene/methods/hybrid.hpp"
 #include "repose/scene/methods/soft.hpp"
 #include "repose/scene/sources/at_start.hpp"
+#include "repose/scene/sources/crystal.hpp"
 #include "repose/scene/sources/drop.hpp"
 #include "repose/scene/sources/lattice.hpp"
 #include "repose/scene/sources/sequential.hpp"
@@ -23,14 +25,14 @@ Kinds<MethodKind>& method_kinds() {
 }
 
 Kinds<SourceKind>& source_kinds() {
-  static Kinds<SourceKind> kinds{
-      {PourSource{}, RainSource{}, SequentialSource{}, LatticeSource{}, NoSource{}, DepositedDiscs{}}};
+  static Kinds<SourceKind> kinds{{PourSource{}, RainSource{}, SequentialSource{}, LatticeSource{}, CrystalSource{},
+                                  NoSource{}, DepositedDiscs{}, DepositedSpheres{}}};
   return kinds;
 }
 
 Kinds<BaseKind>& base_kinds() {
-  static Kinds<BaseKind> kinds{
-      {RowBase{}, DepositedBase{}, ContiguousBase{}, PlaneBase{}, NoBase{}, FlatBase{}, DisorderedBase{}}};
+  static Kinds<BaseKind> kinds{{RowBase{}, DepositedBase{}, ContiguousBase{}, BedBase{}, PlaneBase{}, NoBase{},
+                                FlatBase{}, FloorBase{}, DisorderedBase{}}};
   return kinds;
 }
 

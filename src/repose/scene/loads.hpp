@@ -13,7 +13,8 @@ namespace repose {
 
 /// The reason why no load can act on the grain of an id; "" if one can. `at_start` are the grains at the start, by
 /// ascending id; the source releases others.
-std::string load_problem(const Scene& scene, const Grains<2>& at_start, std::int64_t id);
+template <int D>
+std::string load_problem(const Scene& scene, const Grains<D>& at_start, std::int64_t id);
 
 /// Checks the loads. Those of a scene with start.from wait for its grains, which the simulation reads.
 void check_loads(const Scene& scene, Problems& problems);

@@ -182,7 +182,8 @@ double Scene::mass_of(double diameter, const std::string& material) const {
   if (by_density(*this)) density /= materials.front().density;
   if (std::isnan(density)) density = 1.0;
   const double size = diameter / grains.diameter;
-  return density * nominal_mass() * (size * size);
+  const double discs = size * size;
+  return density * nominal_mass() * (dimension == 3 ? discs * size : discs);
 }
 
 }  // namespace repose

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/dimension.hpp"
 #include "repose/scene/kind.hpp"
 #include "repose/scene/problems.hpp"
 
@@ -53,6 +54,8 @@ struct RestingContacts {
 /// A method as a scene chooses it.
 class MethodKind : public AnyKind<MethodKind> {
  public:
+  /// Whether it moves grains in so many dimensions.
+  virtual bool in_dimension(std::int64_t dimension) const { return dimension == 2; }
   virtual MethodTraits traits() const = 0;
 
   /// The keys method.*, besides the kind.
@@ -79,7 +82,9 @@ class MethodKind : public AnyKind<MethodKind> {
   virtual std::string describe(const Scene& scene) const = 0;
 
   /// The method ready to run: defined in simulation/methods, so that a scene needs to know nothing that runs.
-  virtual std::unique_ptr<Method<2>> make(const Scene& scene) const = 0;
+  virtual std::unique_ptr<Method<2>> make(const Scene& scene, Dimension<2>) const = 0;
+  /// Null for a method that moves discs alone.
+  virtual std::unique_ptr<Method<3>> make(const Scene& scene, Dimension<3>) const;
 };
 
 Kinds<MethodKind>& method_kinds();

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "repose/boundaries/wall.hpp"
+#include "repose/core/coordinates.hpp"
+#include "repose/core/dimension.hpp"
 #include "repose/scene/kind.hpp"
 
-#include <array>
+#include <cstdint>
 #include <optional>
 
 namespace repose {
@@ -13,16 +15,22 @@ namespace repose {
 /// What moves a wall, as a scene chooses it.
 class MotionKind : public AnyKind<MotionKind> {
  public:
+  /// Whether it exists in so many dimensions.
+  virtual bool in_dimension(std::int64_t /*dimension*/) const { return true; }
+
   /// The keys of the wall that say how it moves, besides the kind.
-  virtual void keys(Parameters& keys) = 0;
+  virtual void keys(Parameters& keys, std::int64_t dimension) = 0;
 
   /// The key of what sets the direction, and its value; null for a wall that stands still.
-  virtual const std::array<double, 2>* direction() const { return nullptr; }
+  virtual const Coordinates* direction() const { return nullptr; }
   virtual std::string_view direction_key() const { return ""; }
   /// The times [T] between which it moves; null for a wall that stands still. No stop: it moves for ever.
   virtual double start() const { return 0.0; }
   virtual const std::optional<double>* stop() const { return nullptr; }
-  virtual WallMotion<2> motion() const = 0;  ///< of a sound scene
+
+  // Those of a sound scene.
+  virtual WallMotion<2> motion(Dimension<2>) const = 0;
+  virtual WallMotion<3> motion(Dimension<3>) const = 0;
 };
 
 /// A wall that moves from a time on, perhaps until another.
@@ -36,7 +44,8 @@ class MovingWall : public MotionKind {
 
  protected:
   void time_keys(Parameters& keys);
-  WallMotion<2> between_times(WallMotion<2>::Kind kind) const;
+  template <int D>
+  WallMotion<D> between_times(typename WallMotion<D>::Kind kind) const;
 };
 
 Kinds<MotionKind>& motion_kinds();
@@ -45,20 +54,26 @@ struct StandingWall final : KindOf<StandingWall, MotionKind> {
   static constexpr std::string_view kind = "fixed";
   static constexpr std::string_view meaning = "it stands still";
 
-  void keys(Parameters&) override {}
-  WallMotion<2> motion() const override { return {}; }
+  void keys(Parameters&, std::int64_t) override {}
+  WallMotion<2> motion(Dimension<2>) const override { return {}; }
+  WallMotion<3> motion(Dimension<3>) const override { return {}; }
 };
 
 struct DrivenWall final : KindOf<DrivenWall, MovingWall> {
   static constexpr std::string_view kind = "velocity";
   static constexpr std::string_view meaning = "it moves at a given velocity";
 
-  std::array<double, 2> velocity{unset, unset};  ///< [L/T]
+  Coordinates velocity = no_coordinates;  ///< [L/T]
 
-  void keys(Parameters& keys) override;
-  const std::array<double, 2>* direction() const override { return &velocity; }
+  void keys(Parameters& keys, std::int64_t dimension) override;
+  const Coordinates* direction() const override { return &velocity; }
   std::string_view direction_key() const override { return "velocity"; }
-  WallMotion<2> motion() const override;
+  WallMotion<2> motion(Dimension<2>) const override { return made<2>(); }
+  WallMotion<3> motion(Dimension<3>) const override { return made<3>(); }
+
+ private:
+  template <int D>
+  WallMotion<D> made() const;
 };
 
 struct VibratingWall final : KindOf<VibratingWall, MovingWall> {
@@ -66,35 +81,53 @@ struct VibratingWall final : KindOf<VibratingWall, MovingWall> {
   static constexpr std::string_view meaning =
       "it vibrates: amplitude times sin(2 pi frequency t + phase), t since start";
 
-  std::array<double, 2> amplitude{unset, unset};  ///< [L]
-  double frequency = unset;                       ///< [1/T]
-  double phase = 0.0;                             ///< [deg]
+  Coordinates amplitude = no_coordinates;  ///< [L]
+  double frequency = unset;                ///< [1/T]
+  double phase = 0.0;                      ///< [deg]
 
-  void keys(Parameters& keys) override;
-  const std::array<double, 2>* direction() const override { return &amplitude; }
+  void keys(Parameters& keys, std::int64_t dimension) override;
+  const Coordinates* direction() const override { return &amplitude; }
   std::string_view direction_key() const override { return "amplitude"; }
-  WallMotion<2> motion() const override;
+  WallMotion<2> motion(Dimension<2>) const override { return made<2>(); }
+  WallMotion<3> motion(Dimension<3>) const override { return made<3>(); }
+
+ private:
+  template <int D>
+  WallMotion<D> made() const;
 };
 
 struct RotatingWall final : KindOf<RotatingWall, MovingWall> {
   static constexpr std::string_view kind = "rotation";
   static constexpr std::string_view meaning = "it rotates about a point";
 
-  std::array<double, 2> centre{unset, unset};  ///< [L]
-  double angular_velocity = unset;             ///< [1/T]
+  Coordinates centre = no_coordinates;  ///< [L]
+  Coordinates axis{0.0, 0.0, 1.0};      ///< in three dimensions
+  double angular_velocity = unset;      ///< [1/T]
 
-  void keys(Parameters& keys) override;
-  WallMotion<2> motion() const override;
+  void keys(Parameters& keys, std::int64_t dimension) override;
+  WallMotion<2> motion(Dimension<2>) const override { return made<2>(); }
+  WallMotion<3> motion(Dimension<3>) const override { return made<3>(); }
+
+ private:
+  template <int D>
+  WallMotion<D> made() const;
 };
 
+/// Its surface runs about an axis across the plane: in two dimensions alone.
 struct BeltWall final : KindOf<BeltWall, MovingWall> {
   static constexpr std::string_view kind = "belt";
   static constexpr std::string_view meaning = "it stays, and its surface runs round it, as a conveyor belt does";
 
   double speed = unset;  ///< [L/T]
 
-  void keys(Parameters& keys) override;
-  WallMotion<2> motion() const override;
+  bool in_dimension(std::int64_t dimension) const override { return dimension == 2; }
+  void keys(Parameters& keys, std::int64_t dimension) override;
+  WallMotion<2> motion(Dimension<2>) const override { return made<2>(); }
+  WallMotion<3> motion(Dimension<3>) const override { return made<3>(); }
+
+ private:
+  template <int D>
+  WallMotion<D> made() const;
 };
 
 /// A wall with a mass, which the grains push back.
@@ -105,33 +138,44 @@ class Piston : public MovingWall {
   double surface_speed = 0.0;  ///< [L/T]
 
  protected:
-  void piston_keys(Parameters& keys);
-  WallMotion<2> piston_motion(WallMotion<2>::Kind kind) const;
+  void piston_keys(Parameters& keys, std::int64_t dimension);
+  template <int D>
+  WallMotion<D> piston_motion(typename WallMotion<D>::Kind kind) const;
 };
 
 struct PushedPiston final : KindOf<PushedPiston, Piston> {
   static constexpr std::string_view kind = "force";
   static constexpr std::string_view meaning = "a piston under a given force";
 
-  std::array<double, 2> force{unset, unset};  ///< [M L/T^2]
+  Coordinates force = no_coordinates;  ///< [M L/T^2]
 
-  void keys(Parameters& keys) override;
-  const std::array<double, 2>* direction() const override { return &force; }
+  void keys(Parameters& keys, std::int64_t dimension) override;
+  const Coordinates* direction() const override { return &force; }
   std::string_view direction_key() const override { return "force"; }
-  WallMotion<2> motion() const override;
+  WallMotion<2> motion(Dimension<2>) const override { return made<2>(); }
+  WallMotion<3> motion(Dimension<3>) const override { return made<3>(); }
+
+ private:
+  template <int D>
+  WallMotion<D> made() const;
 };
 
 struct SprungPiston final : KindOf<SprungPiston, Piston> {
   static constexpr std::string_view kind = "spring";
   static constexpr std::string_view meaning = "a piston pulled by a spring whose far end moves at a given velocity";
 
-  std::array<double, 2> velocity{unset, unset};  ///< [L/T] of the far end
-  double stiffness = unset;                      ///< [M/T^2]
+  Coordinates velocity = no_coordinates;  ///< [L/T] of the far end
+  double stiffness = unset;               ///< [M/T^2]
 
-  void keys(Parameters& keys) override;
-  const std::array<double, 2>* direction() const override { return &velocity; }
+  void keys(Parameters& keys, std::int64_t dimension) override;
+  const Coordinates* direction() const override { return &velocity; }
   std::string_view direction_key() const override { return "velocity"; }
-  WallMotion<2> motion() const override;
+  WallMotion<2> motion(Dimension<2>) const override { return made<2>(); }
+  WallMotion<3> motion(Dimension<3>) const override { return made<3>(); }
+
+ private:
+  template <int D>
+  WallMotion<D> made() const;
 };
 
 }  // namespace repose

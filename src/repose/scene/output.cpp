@@ -37,7 +37,7 @@ void file_keys(Scene& scene, Parameters& keys) {
   if (in_time) {
     keys.number("output.window", output.window, {10.0 * fall, "10 sqrt(d/g); 10 without gravity"}, positive, unit,
                 "interval at the end over which base forces are averaged");
-    if (traits.has_forces()) {
+    if (traits.has_forces() && scene.dimension == 2) {
       keys.integer("output.slices", output.slices, {.low = 2, .high = 1000},
                    "slices of equal disc area in which the time series follows a column between two upright walls");
     }
@@ -70,16 +70,26 @@ void force_keys(Scene& scene, Parameters& keys) {
   }
   keys.number("analysis.force_threshold", analysis.force_threshold, not_negative, "force units",
               "contacts with a smaller force do not count");
-  keys.number("analysis.base_bin", analysis.base_bin, {5.0 * d, "5 d"}, positive, "L", "bin width of the base profile");
-  keys.number("analysis.field_width", analysis.field_width, {1.5 * d, "1.5 d"}, positive, "L",
-              "standard deviation of the Gaussian that smooths stress and density");
+  if (scene.dimension == 2) {
+    keys.number("analysis.base_bin", analysis.base_bin, {5.0 * d, "5 d"}, positive, "L",
+                "bin width of the base profile");
+    keys.number("analysis.field_width", analysis.field_width, {1.5 * d, "1.5 d"}, positive, "L",
+                "standard deviation of the Gaussian that smooths stress and density");
+  } else {
+    keys.number("analysis.base_bin", analysis.base_bin, {2.0 * d, "2 d"}, positive, "L",
+                "width of the rings in which the pressure on the base is measured");
+    keys.number("analysis.field_width", analysis.field_width, {2.0 * d, "2 d"}, positive, "L",
+                "width and height of the rings in which stress and density are measured");
+  }
   keys.number("analysis.core_depth", analysis.core_depth, {4.0 * d, "4 d"}, not_negative, "L",
               "depth below the surface at which the core of a heap begins");
   keys.number("analysis.moved", analysis.moved, {0.5 * d, "0.5 d"}, positive, "L",
               "a grain that is displaced farther between two moments of the track has moved");
   keys.integer("analysis.avalanche", analysis.avalanche, {.low = 1}, "grains that move at once in an avalanche");
-  keys.flag("analysis.slips", analysis.slips,
-            "find the slips of a driven wall whenever the run is analysed, as `repose analyse --slips` does once");
+  if (scene.dimension == 2) {
+    keys.flag("analysis.slips", analysis.slips,
+              "find the slips of a driven wall whenever the run is analysed, as `repose analyse --slips` does once");
+  }
   keys.number("analysis.burst", analysis.burst, positive, "force units times diameters",
               "kinetic energy of the heap above which a burst is counted");
 }
@@ -88,7 +98,8 @@ void packing_keys(Scene& scene, Parameters& keys) {
   auto& analysis = scene.analysis;
   const auto traits = scene.method->traits();
   if (traits.follows_time) {
-    keys.flag("analysis.packing", analysis.packing, {scene.box.periodic(), "true in a periodic box"},
+    const bool all_around = scene.box.periodic() && (scene.dimension == 2 || scene.box.periodic_y());
+    keys.flag("analysis.packing", analysis.packing, {all_around, "true in a periodic box"},
               "measure the packing in a slab: solid fraction, contacts, fabric");
   } else {
     analysis.packing = true;
@@ -99,11 +110,16 @@ void packing_keys(Scene& scene, Parameters& keys) {
       "edges of the slab above the base centres, or above height 0 without base grains, in mean heights of the grains");
   keys.number("analysis.contact_gap", analysis.contact_gap, traits.contact_gap, zero_to_one, "diameters",
               "grains closer than this touch");
-  keys.integer("analysis.direction_bins", analysis.direction_bins, {.low = 1, .high = 36'000},
-               "bins of contact directions, over 180 degrees");
-  keys.flag("analysis.correlations", analysis.correlations, "pair correlation g(r), and along x and y");
+  if (scene.dimension == 2) {
+    keys.integer("analysis.direction_bins", analysis.direction_bins, {.low = 1, .high = 36'000},
+                 "bins of contact directions, over 180 degrees");
+  }
+  keys.flag("analysis.correlations", analysis.correlations,
+            scene.dimension == 2 ? "pair correlation g(r), and along x and y" : "pair correlation g(r)");
   keys.flag("analysis.structure_factor", analysis.structure_factor, "structure factor S(q)");
-  keys.flag("analysis.local_density", analysis.local_density, "local density by Voronoi cells");
+  if (scene.dimension == 2) {
+    keys.flag("analysis.local_density", analysis.local_density, "local density by Voronoi cells");
+  }
 }
 
 }  // namespace

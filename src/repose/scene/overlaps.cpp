@@ -4,8 +4,10 @@
 
 #include "repose/neighbours/near_pairs.hpp"
 #include "repose/scene/geometry.hpp"
+#include "repose/scene/start_places.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +16,8 @@
 
 namespace repose {
 
-namespace {
+// Not without a name: the templates below are seen by other files.
+namespace overlaps {
 
 enum class Origin { base, start, lattice, placed };
 
@@ -26,11 +29,12 @@ struct Present {
   bool fixed = false;
 };
 
+template <int D>
 struct Everything {
-  std::vector<Vec<2>> positions;
+  std::vector<Vec<D>> positions;
   std::vector<Present> grains;
 
-  void add(const Vec<2>& position, const Present& grain) {
+  void add(const Vec<D>& position, const Present& grain) {
     positions.push_back(position);
     grains.push_back(grain);
   }
@@ -44,8 +48,8 @@ struct Pair {
 
 /// Calls use(pair) for every two grains that overlap by more than `least` of their mean diameter, unless both are
 /// fixed.
-template <class Use>
-void for_overlaps(const Everything& all, const Box<2>& box, double least, const Use& use) {
+template <int D, class Use>
+void for_overlaps(const Everything<D>& all, const Box<D>& box, double least, const Use& use) {
   double largest = 0.0;
   for (const auto& grain : all.grains) largest = std::max(largest, grain.radius);
   auto wrapped = all.positions;
@@ -63,14 +67,16 @@ void for_overlaps(const Everything& all, const Box<2>& box, double least, const 
 }
 
 /// "grains 3 and 7 (lines 4 and 8)"; without ids "the grains of lines 4 and 8".
-std::string names_in_file(const GrainRow& a, const GrainRow& b) {
+template <int D>
+std::string names_in_file(const GrainRow<D>& a, const GrainRow<D>& b) {
   const bool lines = a.line > 0 && b.line > 0;
   if (!a.id || !b.id) return fmt::format("the grains of lines {} and {}", a.line, b.line);
   return fmt::format("grains {} and {}{}", *a.id, *b.id,
                      lines ? fmt::format(" (lines {} and {})", a.line, b.line) : "");
 }
 
-std::string name_of(const Present& grain, const std::optional<StartState>& start) {
+template <int D>
+std::string name_of(const Present& grain, const std::optional<StartState<D>>& start) {
   switch (grain.origin) {
     case Origin::start: {
       const auto& row = start->grains[grain.number];
@@ -92,25 +98,28 @@ std::string how_deep(double relative) {
                                 : fmt::format("overlap by {:.3g} of their mean diameter", relative);
 }
 
-void add_all(const Grains<2>& grains, Origin origin, Everything& all) {
+template <int D>
+void add_all(const Grains<D>& grains, Origin origin, Everything<D>& all) {
   for (std::size_t k = 0; k < grains.size(); ++k) {
     const auto& grain = grains.line[k];
     all.add(grain.position, {origin, k, grain.radius, grain.fixed()});
   }
 }
 
-void add_rows(const StartState& start, Everything& all) {
+template <int D>
+void add_rows(const StartState<D>& start, Everything<D>& all) {
   for (std::size_t k = 0; k < start.grains.size(); ++k) {
     const auto& row = start.grains[k];
     all.add(row.position, {Origin::start, k, row.radius, row.fixed});
   }
 }
 
-Everything everything_in(const Scene& scene, const std::optional<StartState>& start) {
-  Everything all;
+template <int D>
+Everything<D> everything_in(const Scene& scene, const std::optional<StartState<D>>& start) {
+  Everything<D> all;
   std::int64_t id = 0;
-  Grains<2> base;
-  Grains<2> lattice;
+  Grains<D> base;
+  Grains<D> lattice;
   scene.base->add_grains(scene, base, id);
   if (scene.source->placed() > 0) scene.source->add_grains(scene, lattice, id);
   add_all(base, Origin::base, all);
@@ -118,19 +127,26 @@ Everything everything_in(const Scene& scene, const std::optional<StartState>& st
   add_all(lattice, Origin::lattice, all);
   for (std::size_t k = 0; k < scene.placed.size(); ++k) {
     const auto& grain = scene.placed[k];
-    all.add({{grain.position[0], grain.position[1]}}, {Origin::placed, k, 0.5 * grain.diameter, grain.fixed});
+    all.add(vec<D>(grain.position), {Origin::placed, k, 0.5 * grain.diameter, grain.fixed});
   }
   return all;
 }
 
+/// "[1, 2]" or "[1, 2, 3]".
+template <int D>
+std::string place_text(const Coordinates& place) {
+  return fmt::format("[{}]", fmt::join(place.begin(), place.begin() + D, ", "));
+}
+
 /// The key that a pair is reported with, and the message.
+template <int D>
 std::pair<std::string, std::string> complaint(const Present& a, const Present& b, double relative, const Scene& scene,
-                                              const std::optional<StartState>& start) {
+                                              const std::optional<StartState<D>>& start) {
   const auto allowed = fmt::format("; at most {} is allowed at the start", largest_overlap_at_start);
   if (b.origin == Origin::placed) {
     const auto& place = scene.placed[b.number].position;
-    return {fmt::format("grain[{}].position", b.number), fmt::format(" = [{}, {}]: it and {} {}{}", place[0], place[1],
-                                                                     name_of(a, start), how_deep(relative), allowed)};
+    return {fmt::format("grain[{}].position", b.number),
+            fmt::format(" = {}: it and {} {}{}", place_text<D>(place), name_of(a, start), how_deep(relative), allowed)};
   }
   const auto from = fmt::format(" = \"{}\": ", scene.start.from);
   if (a.origin == Origin::start && b.origin == Origin::start) {
@@ -143,16 +159,19 @@ std::pair<std::string, std::string> complaint(const Present& a, const Present& b
                                     name_of(b, start), how_deep(relative), allowed)};
 }
 
-}  // namespace
+}  // namespace overlaps
 
-void check_overlaps(const Scene& scene, const std::optional<StartState>& start, Problems& problems) {
+using namespace overlaps;
+
+template <int D>
+void check_overlaps(const Scene& scene, const std::optional<StartState<D>>& start, Problems& problems) {
   if (!problems.none() || !scene.method->traits().follows_time || (scene.placed.empty() && !start)) return;
   const bool of_run = start && !start->scene.empty();
   const auto all = everything_in(scene, start);
   constexpr std::size_t most = 8;
   std::vector<Pair> found;
   std::size_t count = 0;
-  for_overlaps(all, make_box(scene), largest_overlap_at_start, [&](const Pair& pair) {
+  for_overlaps(all, make_box<D>(scene), largest_overlap_at_start, [&](const Pair& pair) {
     const auto& a = all.grains[pair.first];
     const auto& b = all.grains[pair.second];
     const bool kept = of_run && a.origin == Origin::start && b.origin == Origin::start;
@@ -175,15 +194,11 @@ void check_overlaps(const Scene& scene, const std::optional<StartState>& start, 
   }
 }
 
-std::optional<DeepestOverlap> deepest_overlap(const StartState& start, const Scene& scene) {
-  Everything all;
+template <int D>
+std::optional<DeepestOverlap> deepest_overlap(const StartState<D>& start, const Scene& scene) {
+  Everything<D> all;
   add_rows(start, all);
-  auto box = Box<2>{};
-  if (scene.box.periodic() && scene.box.half_width > 0.0) {
-    box.periodic = true;
-    box.x_max = scene.box.half_width;
-    box.x_min = -box.x_max;
-  }
+  const auto box = wrapping_box<D>(scene);
   std::optional<Pair> deepest;
   for_overlaps(all, box, 0.0, [&](const Pair& pair) {
     const bool deeper = !deepest || pair.relative > deepest->relative ||
@@ -195,5 +210,10 @@ std::optional<DeepestOverlap> deepest_overlap(const StartState& start, const Sce
   const auto& b = start.grains[all.grains[deepest->second].number];
   return DeepestOverlap{deepest->relative, names_in_file(a, b)};
 }
+
+template void check_overlaps(const Scene&, const std::optional<StartState<2>>&, Problems&);
+template std::optional<DeepestOverlap> deepest_overlap(const StartState<2>&, const Scene&);
+template void check_overlaps(const Scene&, const std::optional<StartState<3>>&, Problems&);
+template std::optional<DeepestOverlap> deepest_overlap(const StartState<3>&, const Scene&);
 
 }  // namespace repose

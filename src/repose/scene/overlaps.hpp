@@ -18,13 +18,15 @@ inline constexpr double usual_overlap_at_start = 0.1;
 
 /// Refuses grains at the start that lie at one place or overlap deeply: of the file, placed, and of the base and the
 /// lattice. Each pair is named, with ids and lines of the file. Two fixed grains may overlap.
-void check_overlaps(const Scene& scene, const std::optional<StartState>& start, Problems& problems);
+template <int D>
+void check_overlaps(const Scene& scene, const std::optional<StartState<D>>& start, Problems& problems);
 
 /// The two grains of a start that overlap most.
 struct DeepestOverlap {
   double relative = 0.0;  ///< over their mean diameter
   std::string grains;     ///< "grains 3 and 7 (lines 4 and 8)"
 };
-std::optional<DeepestOverlap> deepest_overlap(const StartState& start, const Scene& scene);
+template <int D>
+std::optional<DeepestOverlap> deepest_overlap(const StartState<D>& start, const Scene& scene);
 
 }  // namespace repose

@@ -135,14 +135,20 @@ Scene read_table(const toml::table& root, const std::string& name,
   Scene scene;
   show_keys(scene, reader);
   reader.report_unknown_keys();
-  std::optional<StartState> start;
-  if (earlier != nullptr) {
-    expect_start(scene, *earlier, reader);
-  } else {
-    start = look_at_start(scene, reader, std::filesystem::path(name).parent_path().string());
+  const auto folder = std::filesystem::path(name).parent_path().string();
+  for (auto& piece : scene.pieces) {
+    if (scene.dimension == 3) piece.shape->find(folder);
   }
-  check_all(scene, reader);
-  check_overlaps(scene, start, reader);
+  with_dimension(scene.dimension, [&](auto dimension) {
+    std::optional<StartState<dimension>> start;
+    if (earlier != nullptr) {
+      expect_start(scene, *earlier, reader);
+    } else {
+      start = look_at_start<dimension>(scene, reader, folder);
+    }
+    check_all(scene, reader);
+    check_overlaps(scene, start, reader);
+  });
   problems.insert(problems.end(), reader.problems().begin(), reader.problems().end());
   if (!problems.empty()) throw InputError(problems);
   return scene;

@@ -241,17 +241,20 @@ void Reader::read(const Item& item, const toml::node& node, const Choice& choice
 
 void Reader::read(const Item& item, const toml::node& node, const Vector& vector) {
   const std::string key(item.name);
+  const auto count = vector.value.size();
+  const auto* words = count == 2 ? "two" : "three";
   const auto* list = node.as_array();
-  if (list == nullptr) return wrong_type(key, node, "a list of two numbers");
-  if (list->size() != 2) {
-    return problem(key, fmt::format(" = {}: must be a list of two numbers, has {}", value_text(node), list->size()));
+  if (list == nullptr) return wrong_type(key, node, fmt::format("a list of {} numbers", words));
+  if (list->size() != count) {
+    return problem(key,
+                   fmt::format(" = {}: must be a list of {} numbers, has {}", value_text(node), words, list->size()));
   }
-  for (std::size_t k = 0; k < 2; ++k) {
+  for (std::size_t k = 0; k < count; ++k) {
     const auto found = number_of(item, *list->get(k));
     if (!found) return;
     const double component = *found;
     if (!std::isfinite(component)) {
-      return problem(key, fmt::format(" = {}: must be a list of two finite numbers", value_text(node)));
+      return problem(key, fmt::format(" = {}: must be a list of {} finite numbers", value_text(node), words));
     }
     vector.value[k] = component;
   }

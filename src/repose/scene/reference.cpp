@@ -52,7 +52,8 @@ std::string condition_text(const KeyCondition& condition, const std::string& tab
   if (first.starts_with("not ")) return fmt::format("`{}` not {}", name, first.substr(4));
   if (first == "> 0") return fmt::format("`{}` > 0", name);
   auto values = condition.values;
-  if (first != "true" && first != "false") {
+  const bool number = first.find_first_not_of("0123456789") == std::string::npos;
+  if (first != "true" && first != "false" && !number) {
     for (auto& value : values) value = fmt::format("\"{}\"", value);
   }
   values.front() = fmt::format("{} = {}", name, values.front());

@@ -112,6 +112,20 @@ double Scene::usual_diameter() const {
   return mean ? mean->diameter : grains.diameter;
 }
 
+template <int D>
+Vec<D> Scene::gravity_vector() const {
+  Vec<D> vector;
+  vector[up<D>] = -gravity;
+  const auto direction = vec<D>(gravity_direction);
+  Vec<D> down;
+  down[up<D>] = -1.0;
+  // Written out for the usual direction, in which no root rounds.
+  if (direction == down || !(magnitude(direction) > 0.0)) return vector;
+  return direction * (gravity / magnitude(direction));
+}
+template Vec<2> Scene::gravity_vector() const;
+template Vec<3> Scene::gravity_vector() const;
+
 std::vector<std::string> Scene::material_names() const {
   std::vector<std::string> names;
   for (const auto& material : materials) {

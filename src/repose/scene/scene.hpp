@@ -12,7 +12,7 @@
 #include "repose/scene/source_kind.hpp"
 #include "repose/scene/species.hpp"
 
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -34,8 +34,10 @@ struct Scene {
 
   std::string title;
   std::string units = "reduced";
+  std::int64_t dimension = 2;  ///< 2: discs; 3: spheres
   std::int64_t seed = 1;
-  double gravity = unset;  ///< [L/T^2] along -y
+  double gravity = unset;                          ///< [L/T^2] its magnitude
+  Coordinates gravity_direction = no_coordinates;  ///< down, along the last axis, unless the scene says otherwise
 
   Chosen<MethodKind> method;
   GrainSizes grains;
@@ -74,16 +76,17 @@ struct Scene {
   Elasticity elasticity(std::size_t material) const;  ///< of a material with moduli
   double nominal_mass() const;                        ///< [M] of a grain of the first material and d
   double usual_mass() const;  ///< [M] nominal_mass(), or where no grain is of nominal size the mean of those that are
-  double usual_diameter() const;                                       ///< [L] of such a grain
-  double mass_of(double diameter, const std::string& material) const;  ///< [M] goes with the square of the diameter
-  double grain_weight() const { return usual_mass() * gravity; }       ///< [M L/T^2] the unit of force of measures
+  double usual_diameter() const;  ///< [L] of such a grain
+  /// [M] goes with the square of the diameter of a disc, the cube of that of a sphere.
+  double mass_of(double diameter, const std::string& material) const;
+  double grain_weight() const { return usual_mass() * gravity; }  ///< [M L/T^2] the unit of force of measures
   /// [M L/T^2] Base forces are given in it: the grain weight, or 1 without gravity.
   double base_force_unit() const { return gravity > 0.0 ? grain_weight() : 1.0; }
   MaterialLaws material_laws() const;  ///< the laws of every two materials
   ImpulseLaws impulse_laws() const;
 
   /// [L] How high a grain rises that starts at a velocity; 0 without gravity.
-  double rise(const std::array<double, 2>& velocity) const;
+  double rise(const Coordinates& velocity) const;
   double fastest_fall() const;  ///< [L/T] of any grain before it meets another, without a limit of speed
   /// The number of grains that may stand above one at the base, for overlaps at rest: all grains in a heap of 30
   /// degrees.
@@ -96,7 +99,14 @@ struct Scene {
     double mass = 0.0;    ///< [M]
     double grains = 1.0;  ///< their estimated number
   };
-  LeastPiston least_piston(const repose::Wall<2>& piston) const;
+  template <int D>
+  LeastPiston least_piston(const repose::Wall<D>& piston) const;
+
+  template <int D>
+  Vec<D> gravity_vector() const;  ///< [L/T^2]
+  std::size_t vertical() const {
+    return static_cast<std::size_t>(dimension - 1);
+  }  ///< place of the height in coordinates
 
   double time_step() const { return method->time_step(*this); }
   std::optional<double> speed_limit() const { return method->speed_limit(*this); }

@@ -4,7 +4,6 @@
 
 #include "repose/core/parameters.hpp"
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -16,10 +15,10 @@ struct Scene;
 
 /// A grain that the scene puts in its place.
 struct PlacedGrain {
-  std::array<double, 2> position{unset, unset};  ///< [L]
-  std::array<double, 2> velocity{};              ///< [L/T]
-  double spin = 0.0;                             ///< [1/T]
-  double diameter = unset;                       ///< [L]
+  Coordinates position = no_coordinates;  ///< [L]
+  Coordinates velocity{};                 ///< [L/T]
+  Coordinates spin{};                     ///< [1/T] in two dimensions the first number, counter-clockwise
+  double diameter = unset;                ///< [L]
   bool fixed = false;
   std::string material;
 };
@@ -35,7 +34,7 @@ struct StartFrom {
   double tolerance = unset;         ///< [L] across the plane
   double scale = 1.0;               ///< of lengths and velocities
   std::string flip = "none";        ///< the axis whose sign changes
-  std::array<double, 2> shift{};    ///< [L]
+  Coordinates shift{};              ///< [L]
   std::vector<double> fixed_types;  ///< types of the file whose grains are fixed
 
   // What reading the scene finds there.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "repose/core/dimension.hpp"
 #include "repose/core/grains.hpp"
 #include "repose/scene/kind.hpp"
 #include "repose/scene/method_kind.hpp"
@@ -13,6 +14,7 @@
 
 namespace repose {
 
+template <int D>
 class Source;
 struct TimeSteps;
 
@@ -21,6 +23,8 @@ class SourceKind : public AnyKind<SourceKind> {
  public:
   /// Whether it can feed a method.
   virtual bool suits(const MethodTraits& method) const { return method.follows_time; }
+  /// Whether it brings grains in so many dimensions.
+  virtual bool in_dimension(std::int64_t dimension) const { return dimension == 2; }
 
   /// The keys source.*, besides the kind.
   virtual void keys(const Scene& scene, Parameters& keys) = 0;
@@ -45,8 +49,12 @@ class SourceKind : public AnyKind<SourceKind> {
 
   /// The grains that exist at the start; `id` is that of the next one.
   virtual void add_grains(const Scene& scene, Grains<2>& grains, std::int64_t& id) const;
+  virtual void add_grains(const Scene& scene, Grains<3>& grains, std::int64_t& id) const;
   /// The source at work; `first_id` is that of the first grain it releases.
-  virtual std::unique_ptr<Source> start(const Scene& scene, const TimeSteps& steps, std::int64_t first_id) const;
+  virtual std::unique_ptr<Source<2>> start(const Scene& scene, const TimeSteps& steps, std::int64_t first_id,
+                                           Dimension<2>) const;
+  virtual std::unique_ptr<Source<3>> start(const Scene& scene, const TimeSteps& steps, std::int64_t first_id,
+                                           Dimension<3>) const;
 };
 
 Kinds<SourceKind>& source_kinds();

@@ -40,7 +40,8 @@ std::string memory_of(const Scene& scene) {
                    std::visit([](const auto& law) { return std::string(law.name); }, scene.contact.tangential));
 }
 
-void take_facts(const StartState& state, Scene& scene) {
+template <int D>
+void take_facts(const StartState<D>& state, Scene& scene) {
   auto& start = scene.start;
   const auto names = scene.material_names();
   constexpr double same = 1e-9;  // masses that differ by rounding alone
@@ -60,34 +61,43 @@ void take_facts(const StartState& state, Scene& scene) {
     start.total_size += diameter;
     const double speed2 = start.at_rest ? 0.0 : dot(row.velocity, row.velocity);
     const double rise = scene.gravity > 0.0 ? 0.5 * speed2 / scene.gravity : 0.0;
-    start.fall = std::max(start.fall, rise + std::max(0.0, row.position[1]));
+    start.fall = std::max(start.fall, rise + std::max(0.0, row.position[up<D>]));
   }
   if (lightest > 0.0) start.lightest = lightest;
 }
 
+/// "1, 2" or "1, 2, 3".
+template <int D>
+std::string place_text(const Vec<D>& place) {
+  std::string text;
+  for (int k = 0; k < D; ++k) text += fmt::format("{}{:.6g}", k == 0 ? "" : ", ", double{place[k]});
+  return text;
+}
+
 /// Grains that move must not lie in walls, as placed ones must not, nor behind planes.
-void check_room(const StartState& state, const Scene& scene, Reader& reader) {
+template <int D>
+void check_room(const StartState<D>& state, const Scene& scene, Reader& reader) {
   if (!reader.none()) return;
   constexpr double allowed = 0.1;  // diameters by which walls may press into a grain
   constexpr std::size_t most = 10;
-  const auto walls = make_walls(scene);
+  const auto walls = make_walls<D>(scene);
   const auto names = wall_names(scene);
   const auto now = walls_at(walls, {}, 0.0);
-  const auto box = make_box(scene);
+  const auto box = make_box<D>(scene);
   std::size_t count = 0;
   for (std::size_t k = 0; k < state.grains.size(); ++k) {
     const auto& row = state.grains[k];
     if (row.fixed) continue;
     const auto wall = overlapping_wall(walls, now, box, row.position, row.radius * (1.0 - 2.0 * allowed), 1.0);
     if (!wall || ++count > most) continue;
-    const auto at = above(walls[*wall], now[*wall].normal, from_wall(walls[*wall], now[*wall], row.position, box));
+    const auto at = above(walls[*wall], now[*wall], from_wall(walls[*wall], now[*wall], row.position, box));
     const auto where = at.height < 0.0
                            ? fmt::format("its centre lies {:.3g} behind wall \"{}\"", -at.height, names[*wall])
                            : fmt::format("wall \"{}\" presses into it by {:.3g} diameters", names[*wall],
                                          wall_overlap(walls[*wall], at, row.radius) / (2.0 * row.radius));
     reader.problem("start.from",
-                   fmt::format(" = \"{}\": grain {} at ({:.6g}, {:.6g}): {}", scene.start.from,
-                               row.id.value_or(static_cast<std::int64_t>(k)), row.position[0], row.position[1], where));
+                   fmt::format(" = \"{}\": grain {} at ({}): {}", scene.start.from,
+                               row.id.value_or(static_cast<std::int64_t>(k)), place_text(row.position), where));
   }
   if (count > most) {
     reader.problem("start.from",
@@ -103,43 +113,51 @@ void check_base(const Scene& scene, Reader& reader) {
                                           scene.base->name()));
 }
 
-void check_grains(const StartState& state, const Scene& scene, Reader& reader) {
-  const auto materials = scene.material_names().size();
+/// Grains outside the box along a level axis; `key` is that of half the width of the box.
+template <int D>
+void check_inside(const StartState<D>& state, const Scene& scene, int axis, double half_width, const std::string& key,
+                  Reader& reader) {
   std::size_t outside = 0;
-  std::size_t unknown = 0;
-  double left = 0.0;
-  double right = 0.0;
+  double low = 0.0;
+  double high = 0.0;
   for (const auto& row : state.grains) {
-    left = &row == &state.grains.front() ? row.position[0] : std::min(left, row.position[0]);
-    right = &row == &state.grains.front() ? row.position[0] : std::max(right, row.position[0]);
-    if (std::fabs(row.position[0]) > scene.box.half_width) ++outside;
-    if (row.material >= materials) ++unknown;
+    const double place = row.position[axis];
+    low = &row == &state.grains.front() ? place : std::min(low, place);
+    high = &row == &state.grains.front() ? place : std::max(high, place);
+    if (std::fabs(place) > half_width) ++outside;
   }
-  const auto says = fmt::format(" = \"{}\": ", scene.start.from);
-  if (outside > 0 && reader.sound("box.half_width")) {
-    reader.problem("start.from",
-                   fmt::format("{}{} of its grains lie outside the box, x = +-{}: they lie at x = {:.6g} to "
-                               "{:.6g}; set start.shift or box.half_width",
-                               says, outside, scene.box.half_width, left, right));
-  }
+  if (outside == 0 || !reader.sound(key)) return;
+  reader.problem("start.from", fmt::format(" = \"{0}\": {1} of its grains lie outside the box, {2} = +-{3}: they lie "
+                                           "at {2} = {4:.6g} to {5:.6g}; set start.shift or {6}",
+                                           scene.start.from, outside, "xyz"[axis], half_width, low, high, key));
+}
+
+template <int D>
+void check_grains(const StartState<D>& state, const Scene& scene, Reader& reader) {
+  check_inside(state, scene, 0, scene.box.half_width, "box.half_width", reader);
+  if constexpr (D == 3) check_inside(state, scene, 1, scene.box.half_depth, "box.half_depth", reader);
+  const auto materials = scene.material_names().size();
+  const auto unknown = std::count_if(state.grains.begin(), state.grains.end(),
+                                     [&](const auto& row) { return row.material >= materials; });
   if (unknown > 0) {
-    reader.problem("start.from", fmt::format("{}{} of its grains are of materials that this scene has not: it needs "
-                                             "the same list of [[material]]",
-                                             says, unknown));
+    reader.problem("start.from", fmt::format(" = \"{}\": {} of its grains are of materials that this scene has not: it "
+                                             "needs the same list of [[material]]",
+                                             scene.start.from, unknown));
   }
   check_base(scene, reader);
 }
 
 }  // namespace
 
-std::optional<StartState> look_at_start(Scene& scene, Reader& reader, const std::string& folder) {
+template <int D>
+std::optional<StartState<D>> look_at_start(Scene& scene, Reader& reader, const std::string& folder) {
   auto& start = scene.start;
   if (start.from.empty()) return std::nullopt;
   // A path on the command line is relative to the current folder.
   const fs::path beside = reader.from_command_line("start.from") ? fs::path() : fs::path(folder);
   start.path = start_file((beside / start.from).string());
   try {
-    auto state = state_at_start(scene);
+    auto state = state_at_start<D>(scene);
     take_facts(state, scene);
     check_grains(state, scene, reader);
     start.warnings = state.warnings;
@@ -160,6 +178,9 @@ std::optional<StartState> look_at_start(Scene& scene, Reader& reader, const std:
   return std::nullopt;
 }
 
+template std::optional<StartState<2>> look_at_start(Scene&, Reader&, const std::string&);
+template std::optional<StartState<3>> look_at_start(Scene&, Reader&, const std::string&);
+
 void expect_start(Scene& scene, const Scene& earlier, Reader& reader) {
   auto& start = scene.start;
   start.path = start.from + "/run.h5";
@@ -178,9 +199,15 @@ void expect_start(Scene& scene, const Scene& earlier, Reader& reader) {
   check_base(scene, reader);
 }
 
+std::string surface_file(std::size_t piece) { return fmt::format("surface-{}.stl", piece); }
+
 Scene with_own_start(Scene scene) {
   auto& start = scene.start;
   if (!start.from.empty()) start.from = "start" + fs::path(start.path).extension().string();
+  for (std::size_t k = 0; k < scene.pieces.size(); ++k) {
+    auto& piece = scene.pieces[k];
+    if (piece.shape && !piece.shape->found_file().empty()) piece.shape->rename_file(surface_file(k));
+  }
   return scene;
 }
 

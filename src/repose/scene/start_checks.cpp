@@ -17,8 +17,8 @@ struct Range {
   double high = 0.0;
 };
 
-template <class Value>
-Range range_of(const StartState& state, const Value& value) {
+template <int D, class Value>
+Range range_of(const StartState<D>& state, const Value& value) {
   Range range;
   bool first = true;
   for (const auto& row : state.grains) {
@@ -31,7 +31,10 @@ Range range_of(const StartState& state, const Value& value) {
 
 std::string ends_of(const Range& range) { return fmt::format("{:.6g} to {:.6g}", range.low, range.high); }
 
-bool of_run(const StartState& state) { return !state.scene.empty(); }
+template <int D>
+bool of_run(const StartState<D>& state) {
+  return !state.scene.empty();
+}
 
 std::string side_text(const std::string& side) { return side.empty() ? "sides not told" : side; }
 
@@ -40,12 +43,20 @@ std::string extent_of(const Range& range) {
   return range.low == range.high ? fmt::format("{:.6g}", range.low) : ends_of(range);
 }
 
-Range diameters(const StartState& state) {
+template <int D>
+Range diameters(const StartState<D>& state) {
   return range_of(state, [](const auto& row) { return 2.0 * row.radius; });
 }
 
+/// How far the centres lie along an axis.
+template <int D>
+Range places(const StartState<D>& state, int axis) {
+  return range_of(state, [axis](const auto& row) { return row.position[axis]; });
+}
+
 /// Whether no grain is within a factor of 30 of the nominal size.
-bool far_from_nominal(const StartState& state, const Scene& scene) {
+template <int D>
+bool far_from_nominal(const StartState<D>& state, const Scene& scene) {
   constexpr double far = 30.0;
   const auto sizes = diameters(state);
   return sizes.low > far * scene.grains.diameter || far * sizes.high < scene.grains.diameter;
@@ -53,7 +64,9 @@ bool far_from_nominal(const StartState& state, const Scene& scene) {
 
 }  // namespace
 
-void check_units(const StartState& state, const Scene& scene, Problems& problems, std::vector<std::string>& warnings) {
+template <int D>
+void check_units(const StartState<D>& state, const Scene& scene, Problems& problems,
+                 std::vector<std::string>& warnings) {
   const auto& units = state.units;
   const bool si = scene.units == "SI";
   const bool given = !units.name.empty() || units.reduced;
@@ -70,35 +83,72 @@ void check_units(const StartState& state, const Scene& scene, Problems& problems
   warnings.push_back(text + ": its numbers are taken as they are; start.scale relates lengths");
 }
 
-void add_warnings(const StartState& state, const Scene& scene, const std::optional<DeepestOverlap>& deepest,
+namespace {
+
+/// A level axis of the scene's box.
+struct LevelAxis {
+  int axis;
+  char letter;
+  bool periodic;
+  double width;      // [L]
+  const char* wide;  // what its width is called: "wide"
+  const char* key;   // of half its width
+};
+
+template <int D>
+std::vector<LevelAxis> level_axes(const Scene& scene) {
+  const auto& box = scene.box;
+  std::vector<LevelAxis> axes{{0, 'x', box.periodic(), 2.0 * box.half_width, "wide", "box.half_width"}};
+  if (D == 3) axes.push_back({1, 'y', box.periodic_y(), 2.0 * box.half_depth, "deep", "box.half_depth"});
+  return axes;
+}
+
+/// The sides of a file's box that are not those of the scene.
+template <int D>
+void warn_of_sides(const StartState<D>& state, const LevelAxis& level, std::vector<std::string>& warnings) {
+  if (!state.box) return;
+  const double own = state.box->high[level.axis] - state.box->low[level.axis];
+  const auto& sides = state.box->sides[static_cast<std::size_t>(level.axis)];
+  if (sides == "periodic" && !level.periodic) {
+    warnings.push_back(
+        fmt::format("the file's box is periodic along {0}, {1:.6g} {2}, the scene's is not: contacts through its sides "
+                    "are lost; set box.{0} = \"periodic\" and {3} = {4:.6g}",
+                    level.letter, own, level.wide, level.key, 0.5 * own));
+  }
+  if (sides == "open" && level.periodic) {
+    warnings.push_back(fmt::format("the scene's box is periodic along {}, the file's is open", level.letter));
+  }
+}
+
+/// A width that does not fit into the scene's.
+template <int D>
+void warn_of_width(const StartState<D>& state, const LevelAxis& level, std::vector<std::string>& warnings) {
+  if (!level.periodic) return;
+  const auto range = places(state, level.axis);
+  if (!state.box && range.high - range.low > level.width) {
+    warnings.push_back(fmt::format("the grains lie at {} = {}, the periodic box is {:.6g} {}", level.letter,
+                                   ends_of(range), level.width, level.wide));
+  }
+  if (!state.box) return;
+  const double own = state.box->high[level.axis] - state.box->low[level.axis];
+  if (std::fabs(own - level.width) > 1e-6 * level.width) {
+    warnings.push_back(fmt::format("the file's box is {:.6g} {}, the scene's {:.6g}", own, level.wide, level.width));
+  }
+}
+
+}  // namespace
+
+template <int D>
+void add_warnings(const StartState<D>& state, const Scene& scene, const std::optional<DeepestOverlap>& deepest,
                   std::vector<std::string>& warnings) {
   if (of_run(state) || state.grains.empty()) return;
   const auto warn = [&](const std::string& text) { warnings.push_back(text); };
-  const double width = 2.0 * scene.box.half_width;
-  const auto x = range_of(state, [](const auto& row) { return row.position[0]; });
-  if (state.box) {
-    const auto& box = *state.box;
-    const double own = box.high[0] - box.low[0];
-    const bool periodic = box.sides[0] == "periodic";
-    if (periodic && !scene.box.periodic()) {
-      warn(fmt::format(
-          "the file's box is periodic along x, {:.6g} wide, the scene's is not: contacts through its sides are "
-          "lost; set box.x = \"periodic\" and box.half_width = {:.6g}",
-          own, 0.5 * own));
-    }
-    if (box.sides[0] == "open" && scene.box.periodic()) {
-      warn("the scene's box is periodic along x, the file's is open");
-    }
-    if (box.sides[1] == "periodic") {
-      warn("the file's box is periodic along its height: a scene has no such sides, so contacts through them are lost");
-    }
-    if (scene.box.periodic() && std::fabs(own - width) > 1e-6 * width) {
-      warn(fmt::format("the file's box is {:.6g} wide, the scene's {:.6g}", own, width));
-    }
-    if (box.tilted) warn("the file's box is tilted, the scene's is not");
-  } else if (scene.box.periodic() && x.high - x.low > width) {
-    warn(fmt::format("the grains lie at x = {}, the periodic box is {:.6g} wide", ends_of(x), width));
+  for (const auto& axis : level_axes<D>(scene)) warn_of_sides(state, axis, warnings);
+  if (state.box && state.box->sides[up<D>] == "periodic") {
+    warn("the file's box is periodic along its height: a scene has no such sides, so contacts through them are lost");
   }
+  for (const auto& axis : level_axes<D>(scene)) warn_of_width(state, axis, warnings);
+  if (state.box && state.box->tilted) warn("the file's box is tilted, the scene's is not");
   if (deepest && deepest->relative > usual_overlap_at_start) {
     warn(fmt::format("{} overlap by {:.3g} of their mean diameter", deepest->grains, deepest->relative));
   }
@@ -121,7 +171,9 @@ void add_warnings(const StartState& state, const Scene& scene, const std::option
   }
 }
 
-std::string describe_start(const StartState& state, const Scene& scene, const std::optional<DeepestOverlap>& deepest) {
+template <int D>
+std::string describe_start(const StartState<D>& state, const Scene& scene,
+                           const std::optional<DeepestOverlap>& deepest) {
   if (state.grains.empty()) return "";
   std::string text;
   const auto line = [&](const std::string& what) { text += fmt::format("                 {}\n", what); };
@@ -140,12 +192,19 @@ std::string describe_start(const StartState& state, const Scene& scene, const st
   if (!state.types.empty()) line(fmt::format("types: {}", fmt::join(state.types, ", ")));
   if (state.box) {
     const auto& box = *state.box;
-    line(fmt::format("box of the file: x {:.6g} to {:.6g} ({}), y {:.6g} to {:.6g} ({})", box.low[0], box.high[0],
-                     side_text(box.sides[0]), box.low[1], box.high[1], side_text(box.sides[1])));
+    std::string axes;
+    for (int k = 0; k < D; ++k) {
+      axes += fmt::format(
+          "{}{} {:.6g} to {:.6g} ({})", k == 0 ? "" : ", ", "xyz" [k], double { box.low[k] }, double{box.high[k]},
+          side_text(box.sides[static_cast<std::size_t>(k)]));
+    }
+    line("box of the file: " + axes);
   }
-  const auto x = range_of(state, [](const auto& row) { return row.position[0]; });
-  const auto y = range_of(state, [](const auto& row) { return row.position[1]; });
-  line(fmt::format("centres: x {}, y {}", ends_of(x), ends_of(y)));
+  std::string centres;
+  for (int k = 0; k < D; ++k) {
+    centres += fmt::format("{}{} {}", k == 0 ? "" : ", ", "xyz"[k], ends_of(places(state, k)));
+  }
+  line("centres: " + centres);
   const auto with_mass =
       std::count_if(state.grains.begin(), state.grains.end(), [](const auto& row) { return row.mass; });
   const auto names = scene.material_names();
@@ -159,5 +218,14 @@ std::string describe_start(const StartState& state, const Scene& scene, const st
                : std::string("deepest overlap: none"));
   return text;
 }
+
+template void check_units(const StartState<2>&, const Scene&, Problems&, std::vector<std::string>&);
+template void add_warnings(const StartState<2>&, const Scene&, const std::optional<DeepestOverlap>&,
+                           std::vector<std::string>&);
+template std::string describe_start(const StartState<2>&, const Scene&, const std::optional<DeepestOverlap>&);
+template void check_units(const StartState<3>&, const Scene&, Problems&, std::vector<std::string>&);
+template void add_warnings(const StartState<3>&, const Scene&, const std::optional<DeepestOverlap>&,
+                           std::vector<std::string>&);
+template std::string describe_start(const StartState<3>&, const Scene&, const std::optional<DeepestOverlap>&);
 
 }  // namespace repose

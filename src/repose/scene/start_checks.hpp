@@ -15,14 +15,19 @@ namespace repose {
 
 /// Where the units of a file contradict those of the scene and start.scale does not relate them: a problem if its sizes
 /// are far from those of the scene, else a warning.
-void check_units(const StartState& state, const Scene& scene, Problems& problems, std::vector<std::string>& warnings);
+template <int D>
+void check_units(const StartState<D>& state, const Scene& scene, Problems& problems,
+                 std::vector<std::string>& warnings);
 
 /// Adds what is suspicious in a file: sides and width of its box, sizes and masses far from those of the scene,
 /// overlaps.
-void add_warnings(const StartState& state, const Scene& scene, const std::optional<DeepestOverlap>& deepest,
+template <int D>
+void add_warnings(const StartState<D>& state, const Scene& scene, const std::optional<DeepestOverlap>& deepest,
                   std::vector<std::string>& warnings);
 
 /// What was read, for `repose check`: format, snapshot, columns, units, box, extent, sizes, masses, deepest overlap.
-std::string describe_start(const StartState& state, const Scene& scene, const std::optional<DeepestOverlap>& deepest);
+template <int D>
+std::string describe_start(const StartState<D>& state, const Scene& scene,
+                           const std::optional<DeepestOverlap>& deepest);
 
 }  // namespace repose

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/scene/start_places.hpp"
 
-#include "repose/core/box.hpp"
 #include "repose/tables/file_problems.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <set>
 #include <utility>
 
@@ -27,9 +28,8 @@ struct Factors {
   double mass = 1.0;
 };
 
-Factors factors_for(const StartState& state, const Scene& scene) {
+Factors factors_for(const FileUnits& units, const Scene& scene) {
   Factors factors;
-  const auto& units = state.units;
   if (scene.units == "SI" && units.length > 0.0) factors.length = units.length;
   if (scene.units == "SI" && units.mass > 0.0) factors.mass = units.mass;
   if (scene.units == "SI" && units.time > 0.0) factors.spin = 1.0 / units.time;
@@ -39,15 +39,16 @@ Factors factors_for(const StartState& state, const Scene& scene) {
 }
 
 /// In a reduced scene a file with units of its own that is scaled gives places and sizes alone.
-void leave_out_other_units(StartState& state, const Scene& scene) {
+template <int D>
+void leave_out_other_units(StartState<D>& state, const Scene& scene) {
   const auto& units = state.units;
   if (scene.units == "SI" || scene.start.scale == 1.0 || (units.length == 0.0 && units.mass == 0.0)) return;
   bool any = false;
   for (auto& row : state.grains) {
-    any |= row.mass.has_value() || row.spin != 0.0 || row.velocity != Vec<2>{};
+    any |= row.mass.has_value() || row.spin != Spin<D>{} || row.velocity != Vec<D>{};
     row.mass.reset();
     row.velocity = {};
-    row.spin = 0.0;
+    row.spin = {};
   }
   if (any) {
     state.warnings.push_back(
@@ -57,19 +58,46 @@ void leave_out_other_units(StartState& state, const Scene& scene) {
   }
 }
 
-void place(StartState& state, const Scene& scene) {
+/// Which axes change their sign.
+template <int D>
+std::array<bool, D> flipped_axes(const std::string& flip) {
+  std::array<bool, D> flipped{};
+  for (std::size_t k = 0; k < D; ++k) flipped[k] = flip == std::string(1, "xyz"[k]) || flip == "both";
+  return flipped;
+}
+
+void flip_spin(double& spin, const std::array<bool, 2>& flipped) {
+  if (flipped[0] != flipped[1]) spin = -spin;
+}
+/// A mirror leaves the part of a spin along the axis that it flips, and turns round the others.
+void flip_spin(Vec<3>& spin, const std::array<bool, 3>& flipped) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t other = 0; other < 3; ++other) {
+      auto& component = spin[static_cast<int>(other)];
+      if (flipped[k] && other != k) component = -component;
+    }
+  }
+}
+
+bool all_finite(double number) { return std::isfinite(number); }
+bool all_finite(const Vec<3>& vector) {
+  return std::isfinite(vector[0]) && std::isfinite(vector[1]) && std::isfinite(vector[2]);
+}
+
+template <int D>
+void place(StartState<D>& state, const Scene& scene) {
   const auto& start = scene.start;
-  const auto factors = factors_for(state, scene);
-  const bool x = start.flip == "x" || start.flip == "both";
-  const bool y = start.flip == "y" || start.flip == "both";
-  const auto put = [&](Vec<2>& vector, double factor) {
+  const auto factors = factors_for(state.units, scene);
+  const auto flipped = flipped_axes<D>(start.flip);
+  const auto put = [&](Vec<D>& vector, double factor) {
     if (factor != 1.0) vector *= factor;
-    if (x) vector[0] = -vector[0];
-    if (y) vector[1] = -vector[1];
+    for (int k = 0; k < D; ++k) {
+      if (flipped[static_cast<std::size_t>(k)]) vector[k] = -vector[k];
+    }
   };
-  const auto move = [&](Vec<2>& position) {
+  const auto move = [&](Vec<D>& position) {
     put(position, factors.length);
-    for (int k = 0; k < 2; ++k) {
+    for (int k = 0; k < D; ++k) {
       const double shift = start.shift[static_cast<std::size_t>(k)];
       if (shift != 0.0) position[k] += shift;
     }
@@ -79,14 +107,14 @@ void place(StartState& state, const Scene& scene) {
     move(row.position);
     put(row.velocity, factors.velocity);
     if (factors.spin != 1.0) row.spin *= factors.spin;
-    if (x != y) row.spin = -row.spin;
+    flip_spin(row.spin, flipped);
     if (factors.length != 1.0) {
       row.radius *= factors.length;
       row.third *= factors.length;
     }
     if (row.mass && factors.mass != 1.0) *row.mass *= factors.mass;
     const bool sound = std::isfinite(magnitude(row.position)) && std::isfinite(magnitude(row.velocity)) &&
-                       std::isfinite(row.spin) && std::isfinite(row.radius) && row.radius > 0.0 &&
+                       all_finite(row.spin) && std::isfinite(row.radius) && row.radius > 0.0 &&
                        (!row.mass || (std::isfinite(*row.mass) && *row.mass > 0.0));
     if (!sound) problems.add(row.line, "place, size, mass or velocity is out of range in the units of the scene");
   }
@@ -94,24 +122,23 @@ void place(StartState& state, const Scene& scene) {
   if (!state.box) return;
   move(state.box->low);
   move(state.box->high);
-  for (int k = 0; k < 2; ++k) {
+  for (int k = 0; k < D; ++k) {
     if (state.box->low[k] > state.box->high[k]) std::swap(state.box->low[k], state.box->high[k]);
   }
 }
 
 /// Grains outside a periodic box lie at the same place of a neighbouring image. Others keep their bits.
-void wrap(StartState& state, const Scene& scene) {
-  if (!scene.box.periodic() || !(scene.box.half_width > 0.0)) return;
-  Box<2> box;
-  box.periodic = true;
-  box.x_max = scene.box.half_width;
-  box.x_min = -box.x_max;
+template <int D>
+void wrap(StartState<D>& state, const Scene& scene) {
+  const auto box = wrapping_box<D>(scene);
   for (auto& row : state.grains) {
-    if (std::fabs(row.position[0]) > box.x_max) row.position = box.wrapped(row.position);
+    bool outside = box.periodic && std::fabs(row.position[0]) > box.x_max;
+    if constexpr (D == 3) outside |= box.periodic_y && std::fabs(row.position[1]) > box.y_max;
+    if (outside) row.position = box.wrapped(row.position);
   }
 }
 
-void check_plane(const StartState& state, const Scene& scene) {
+void check_plane(const StartState<2>& state, const Scene& scene) {
   if (state.grains.empty()) return;
   FileProblems problems(scene.start.path);
   const auto& first = state.grains.front();
@@ -129,7 +156,8 @@ void check_plane(const StartState& state, const Scene& scene) {
   problems.check();
 }
 
-void fix(StartState& state, const StartFrom& start) {
+template <int D>
+void fix(StartState<D>& state, const StartFrom& start) {
   if (start.fixed_types.empty()) return;
   std::set<std::int64_t> found;
   for (auto& row : state.grains) {
@@ -146,7 +174,8 @@ void fix(StartState& state, const StartFrom& start) {
 }
 
 /// Names of types become materials of the same names. In a scene without a list of materials all are of its only one.
-void name_materials(StartState& state, const Scene& scene) {
+template <int D>
+void name_materials(StartState<D>& state, const Scene& scene) {
   const auto names = scene.material_names();
   const bool one = scene.materials.empty();
   if (!one && state.types.empty()) return;
@@ -177,16 +206,39 @@ void name_materials(StartState& state, const Scene& scene) {
 
 }  // namespace
 
-StartState state_at_start(const Scene& scene) {
-  auto state = read_start(scene.start.path, {.step = scene.start.step, .plane = plane_of(scene.start.plane)});
+template <int D>
+Box<D> wrapping_box(const Scene& scene) {
+  Box<D> box;
+  if (scene.box.periodic() && scene.box.half_width > 0.0) {
+    box.periodic = true;
+    box.x_max = scene.box.half_width;
+    box.x_min = -box.x_max;
+  }
+  if (D == 3 && scene.box.periodic_y() && scene.box.half_depth > 0.0) {
+    box.periodic_y = true;
+    box.y_max = scene.box.half_depth;
+    box.y_min = -box.y_max;
+  }
+  return box;
+}
+
+template <int D>
+StartState<D> state_at_start(const Scene& scene) {
+  const auto plane = D == 2 ? plane_of(scene.start.plane) : Plane::xy;
+  auto state = read_start<D>(scene.start.path, {.step = scene.start.step, .plane = plane});
   leave_out_other_units(state, scene);
   place(state, scene);
-  check_plane(state, scene);
+  if constexpr (D == 2) check_plane(state, scene);
   fix(state, scene.start);
   name_materials(state, scene);
   wrap(state, scene);
   return state;
 }
+
+template Box<2> wrapping_box(const Scene&);
+template Box<3> wrapping_box(const Scene&);
+template StartState<2> state_at_start(const Scene&);
+template StartState<3> state_at_start(const Scene&);
 
 bool keeps_contacts(const StartFrom& start) { return start.scale == 1.0 && start.flip == "none"; }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/laws/time_step.hpp"
 
+#include "repose/boundaries/make_walls.hpp"
 #include "repose/core/reproducible_math.hpp"
 #include "repose/laws/any_law.hpp"
 #include "repose/scene/geometry.hpp"
@@ -52,28 +53,37 @@ void for_every_contact(const Scene& scene, const Use& use) {
 double highest_fall(const Scene& scene) {
   double fall = std::max(scene.start.fall, scene.source->fall(scene));
   for (const auto& grain : scene.placed) {
-    fall = std::max(fall, scene.rise(grain.velocity) + std::max(0.0, grain.position[1]));
+    fall = std::max(fall, scene.rise(grain.velocity) + std::max(0.0, grain.position[scene.vertical()]));
   }
   return fall;
 }
 
-/// The length [L] of a wall along which grains may touch it: all of a finite one, and what lies between the sides of
-/// the box and upright planes of an infinite one. Infinity for an upright infinite wall.
-double length_beside_grains(const Scene& scene, const Wall<2>& wall) {
-  if (wall.finite()) return 2.0 * wall.half_length;
+/// How many of the smallest grains may touch a wall side by side: all along a finite one, and between the sides of the
+/// box and upright planes along an infinite one. Infinity for an upright infinite wall.
+double side_by_side(const Scene& scene, const Wall<2>& wall) {
+  const double d = scene.smallest_diameter();
+  if (wall.finite()) return std::floor(2.0 * wall.half_length / d) + 1.0;
   if (std::fabs(wall.normal[1]) < std::fabs(wall.normal[0])) return std::numeric_limits<double>::infinity();
   const auto sides = upright_sides(scene);
-  return std::max(0.0, sides.right - sides.left) / std::fabs(wall.normal[1]);
+  return std::floor(std::max(0.0, sides.right - sides.left) / std::fabs(wall.normal[1]) / d) + 1.0;
+}
+double side_by_side(const Scene& scene, const Wall<3>& wall) {
+  const double d = scene.smallest_diameter();
+  if (wall.finite()) return area(wall) / (d * d) + 1.0;
+  if (std::fabs(wall.normal[2]) < 0.5) return std::numeric_limits<double>::infinity();
+  const auto sides = upright_sides(scene);
+  return std::max(0.0, sides.right - sides.left) * 2.0 * scene.box.half_depth / (d * d * std::fabs(wall.normal[2])) +
+         1.0;
 }
 
 }  // namespace
 
-Scene::LeastPiston Scene::least_piston(const repose::Wall<2>& piston) const {
+template <int D>
+Scene::LeastPiston Scene::least_piston(const repose::Wall<D>& piston) const {
   auto moving = static_cast<double>(source->released() + source->placed() + start.moving);
   for (const auto& grain : placed) moving += grain.fixed ? 0.0 : 1.0;
   LeastPiston least;
-  const double side_by_side = std::floor(length_beside_grains(*this, piston) / smallest_diameter()) + 1.0;
-  least.grains = std::max(1.0, std::min(moving, side_by_side));
+  least.grains = std::max(1.0, std::min(moving, side_by_side(*this, piston)));
   const auto& motion = piston.motion;
   const PistonLoad load{.count = least.grains,
                         .force = std::max(expected_column() * grain_weight(), motion.force / least.grains),
@@ -87,8 +97,12 @@ Scene::LeastPiston Scene::least_piston(const repose::Wall<2>& piston) const {
   return least;
 }
 
-double Scene::rise(const std::array<double, 2>& velocity) const {
-  return gravity > 0.0 ? 0.5 * (velocity[0] * velocity[0] + velocity[1] * velocity[1]) / gravity : 0.0;
+template Scene::LeastPiston Scene::least_piston(const repose::Wall<2>&) const;
+template Scene::LeastPiston Scene::least_piston(const repose::Wall<3>&) const;
+
+double Scene::rise(const Coordinates& velocity) const {
+  const double square = velocity[0] * velocity[0] + velocity[1] * velocity[1] + velocity[2] * velocity[2];
+  return gravity > 0.0 ? 0.5 * square / gravity : 0.0;
 }
 
 double Scene::contact_reach() const {
@@ -102,7 +116,8 @@ double Scene::contact_frequency() const {
   const double fall = highest_fall(*this);
   double frequency = 0.0;
   for_every_contact(*this, [&](const ContactLaws& laws, const GrainSize& mover, const GrainSize& partner) {
-    frequency = std::max(frequency, stiffest_contact(laws, mover, partner, gravity, fall).frequency);
+    frequency = std::max(frequency,
+                         stiffest_contact(laws, mover, partner, gravity, fall, static_cast<int>(dimension)).frequency);
   });
   return frequency;
 }
@@ -111,7 +126,7 @@ double Scene::largest_step_of_bed() const {
   const double force = expected_column() * grain_weight();
   double step = std::numeric_limits<double>::infinity();
   for_every_contact(*this, [&](const ContactLaws& laws, const GrainSize& mover, const GrainSize& partner) {
-    step = std::min(step, repose::largest_step_of_bed(laws, mover, partner, force));
+    step = std::min(step, repose::largest_step_of_bed(laws, mover, partner, force, static_cast<int>(dimension)));
   });
   return step;
 }
@@ -121,7 +136,8 @@ double Scene::fastest_fall() const {
   if (gravity > 0.0) return std::sqrt(2.0 * gravity * highest_fall(*this));
   double fastest = 0.0;
   for (const auto& grain : placed)
-    fastest = std::max(fastest, reproducible::hypot(grain.velocity[0], grain.velocity[1]));
+    fastest = std::max(
+        fastest, reproducible::hypot(reproducible::hypot(grain.velocity[0], grain.velocity[1]), grain.velocity[2]));
   return fastest;
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 namespace repose {
@@ -15,7 +16,8 @@ namespace repose {
 namespace {
 
 /// A value as TOML writes it; "" where there is none to write.
-struct TomlValue {
+class TomlValue {
+ public:
   std::string operator()(const Parameters::Number& it) const { return toml_number(it.value); }
   std::string operator()(const Parameters::OptionalNumber& it) const {
     if (it.value) return toml_number(*it.value);
@@ -25,12 +27,13 @@ struct TomlValue {
   std::string operator()(const Parameters::Flag& it) const { return *it.value ? "true" : "false"; }
   std::string operator()(const Parameters::Text& it) const { return toml_quoted(it.value); }
   std::string operator()(const Parameters::Choice& it) const { return toml_quoted(it.value); }
-  std::string operator()(const Parameters::Vector& it) const {
-    return fmt::format("[{}, {}]", toml_number(it.value[0]), toml_number(it.value[1]));
-  }
-  std::string operator()(const Parameters::List& it) const {
+  std::string operator()(const Parameters::Vector& it) const { return list_of(it.value); }
+  std::string operator()(const Parameters::List& it) const { return list_of(it.values); }
+
+ private:
+  static std::string list_of(std::span<const double> values) {
     std::string list;
-    for (const double value : it.values) list += (list.empty() ? "" : ", ") + toml_number(value);
+    for (const double value : values) list += (list.empty() ? "" : ", ") + toml_number(value);
     return fmt::format("[{}]", list);
   }
 };

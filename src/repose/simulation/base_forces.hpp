@@ -14,23 +14,25 @@
 namespace repose {
 
 /// The forces on wall `wall` of the grains that it carries, in a unit [M L/T^2], at this time [T].
-BaseProfile floor_profile(const Grains<2>& grains, const Contacts<2>& contacts, std::int64_t wall, double time,
+template <int D>
+BaseProfile floor_profile(const Grains<D>& grains, const Contacts<D>& contacts, std::int64_t wall, double time,
                           double unit);
 
 /// Forces on the fixed grains, as means over the last `window` of time [T] before the last row of the series.
+template <int D>
 class BaseForces {
  public:
   /// `tolerance` [T] by which the start of the window may miss that of an interval.
-  BaseForces(const Grains<2>& grains, double window, double tolerance);
+  BaseForces(const Grains<D>& grains, double window, double tolerance);
 
   /// Takes the reactions that the fixed grains have gathered since the last call.
-  void record(Grains<2>& grains, double time);
+  void record(Grains<D>& grains, double time);
 
   /// The forces on the base, in a unit [M L/T^2].
-  BaseProfile profile(const Grains<2>& grains, double unit) const;
+  BaseProfile profile(const Grains<D>& grains, double unit) const;
 
   /// Downward force [M L/T^2] on fixed grains, mean over the window, and on walls by these contacts.
-  double force_on_supports(const Contacts<2>& contacts) const;
+  double force_on_supports(const Contacts<D>& contacts) const;
 
   void exchange(Archive& archive);
 
@@ -39,7 +41,7 @@ class BaseForces {
   struct Interval {
     double start = 0.0;           // [T]
     double end = 0.0;             // [T]
-    std::vector<Vec<2>> impulse;  // [M L/T] per fixed grain, by id order
+    std::vector<Vec<D>> impulse;  // [M L/T] per fixed grain, by id order
   };
 
   std::size_t place_of(std::int64_t id) const;

@@ -21,8 +21,10 @@ struct GrainCount {
 GrainCount grains_at_start(const Scene& scene) {
   const auto expected = static_cast<double>(scene.start.moving);
   if (scene.start.expected) return {expected, expected};
-  const auto grains = initial_grains(scene);
-  return {static_cast<double>(grains.size()), static_cast<double>(moving_count(grains))};
+  return with_dimension(scene.dimension, [&](auto dimension) {
+    const auto grains = initial_grains<dimension>(scene);
+    return GrainCount{static_cast<double>(grains.size()), static_cast<double>(moving_count(grains))};
+  });
 }
 
 }  // namespace
@@ -52,11 +54,11 @@ double expected_memory(const Scene& scene) {
   const auto times = [&](double interval) {
     return interval > 0.0 ? reached / std::max(interval, scene.time_step()) : 0.0;
   };
-  const auto walls = static_cast<double>(make_walls(scene).size());
+  const auto walls = static_cast<double>(wall_names(scene).size());
   const auto slices = static_cast<double>(followed_slices(scene));
   memory += copies * times(scene.output.series) *
-            (sizeof(SeriesRow) + walls * sizeof(WallRow) + slices * sizeof(ColumnSlice));
-  memory += copies * times(scene.output.track) * grains * sizeof(TrackedGrain);
+            (sizeof(SeriesRow) + walls * sizeof(WallRow<3>) + slices * sizeof(ColumnSlice));
+  memory += copies * times(scene.output.track) * grains * sizeof(TrackedGrain<3>);
   return memory;
 }
 

@@ -13,33 +13,37 @@
 
 namespace repose {
 
-Loads::Loads(const Scene& scene, const TimeSteps& steps)
-    : box_(make_box(scene)), steps_(steps), by_start_(scene.loads) {
+template <int D>
+Loads<D>::Loads(const Scene& scene, const TimeSteps& steps)
+    : box_(make_box<D>(scene)), steps_(steps), by_start_(scene.loads) {
   std::stable_sort(by_start_.begin(), by_start_.end(), [](const auto& a, const auto& b) { return a.start < b.start; });
 }
 
-double Loads::due() const {
+template <int D>
+double Loads<D>::due() const {
   if (begun_ == by_start_.size()) return std::numeric_limits<double>::infinity();
   constexpr double rounding = 1e-9;  // steps by which a start that is meant to be the end of a step may miss it
   return steps_.at_or_after(by_start_[begun_].start, rounding);
 }
 
-bool Loads::begin_due(double time, const Grains<2>& grains) {
+template <int D>
+bool Loads<D>::begin_due(double time, const Grains<D>& grains) {
   const auto before = begun_;
   for (; due() <= time; ++begun_) {
     const auto& load = by_start_[begun_];
-    const auto grain = load.grain >= 0 ? load.grain : nearest_grain({{load.position[0], load.position[1]}}, grains);
-    if (grain >= 0) acting_.push_back({grain, {{load.force[0], load.force[1]}}});
+    const auto grain = load.grain >= 0 ? load.grain : nearest_grain(vec<D>(load.position), grains);
+    if (grain >= 0) acting_.push_back({grain, vec<D>(load.force)});
   }
   return begun_ > before;
 }
 
-std::int64_t Loads::nearest_grain(const Vec<2>& place, const Grains<2>& grains) const {
+template <int D>
+std::int64_t Loads<D>::nearest_grain(const Vec<D>& place, const Grains<D>& grains) const {
   std::int64_t nearest = -1;
   double least = std::numeric_limits<double>::infinity();
   for (const auto k : by_id(grains)) {
     if (grains.line[k].fixed()) continue;
-    const Vec<2> d = separation(box_.wrapped(grains.line[k].position), box_.wrapped(place), box_);
+    const Vec<D> d = separation(box_.wrapped(grains.line[k].position), box_.wrapped(place), box_);
     if (dot(d, d) >= least) continue;
     least = dot(d, d);
     nearest = grains.id[k];
@@ -47,7 +51,8 @@ std::int64_t Loads::nearest_grain(const Vec<2>& place, const Grains<2>& grains) 
   return nearest;
 }
 
-void check_loads_on(const Grains<2>& at_start, const Scene& scene) {
+template <int D>
+void check_loads_on(const Grains<D>& at_start, const Scene& scene) {
   std::vector<std::string> problems;
   for (std::size_t k = 0; k < scene.loads.size(); ++k) {
     const auto grain = scene.loads[k].grain;
@@ -57,10 +62,16 @@ void check_loads_on(const Grains<2>& at_start, const Scene& scene) {
   if (!problems.empty()) throw InputError(problems);
 }
 
-void Loads::exchange(Archive& archive) {
+template <int D>
+void Loads<D>::exchange(Archive& archive) {
   archive.value("run/loads_begun", begun_);
   archive.array("run/loads", acting_);
   archive.check("run/loads_begun", begun_ <= by_start_.size());
 }
+
+template class Loads<2>;
+template class Loads<3>;
+template void check_loads_on(const Grains<2>&, const Scene&);
+template void check_loads_on(const Grains<3>&, const Scene&);
 
 }  // namespace repose

@@ -14,6 +14,7 @@
 namespace repose {
 
 /// The loads of a scene: each acts on one grain from its start on.
+template <int D = 2>
 class Loads {
  public:
   Loads(const Scene& scene, const TimeSteps& steps);
@@ -23,24 +24,25 @@ class Loads {
 
   /// Begins the loads that are due at a time, each on the grain that is then nearest to its place unless the scene
   /// names a grain; true if any was due.
-  bool begin_due(double time, const Grains<2>& grains);
+  bool begin_due(double time, const Grains<D>& grains);
 
-  const std::vector<Load<2>>& acting() const { return acting_; }
+  const std::vector<Load<D>>& acting() const { return acting_; }
 
   void exchange(Archive& archive);
 
  private:
-  std::int64_t nearest_grain(const Vec<2>& place, const Grains<2>& grains) const;
+  std::int64_t nearest_grain(const Vec<D>& place, const Grains<D>& grains) const;
 
-  Box<2> box_;
+  Box<D> box_;
   TimeSteps steps_;
   std::vector<Scene::Load> by_start_;
   std::size_t begun_ = 0;
-  std::vector<Load<2>> acting_;
+  std::vector<Load<D>> acting_;
 };
 
 /// Throws InputError for each load of the scene on a grain that never exists or is fixed. `at_start` are the grains at
 /// the start.
-void check_loads_on(const Grains<2>& at_start, const Scene& scene);
+template <int D>
+void check_loads_on(const Grains<D>& at_start, const Scene& scene);
 
 }  // namespace repose

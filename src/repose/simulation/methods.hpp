@@ -10,6 +10,9 @@
 namespace repose {
 
 /// The method of the scene, ready to run. Each kind makes its own, in simulation/methods.
-inline std::unique_ptr<Method<2>> make_method(const Scene& scene) { return scene.method->make(scene); }
+template <int D = 2>
+std::unique_ptr<Method<D>> make_method(const Scene& scene) {
+  return scene.method->make(scene, Dimension<D>{});
+}
 
 }  // namespace repose

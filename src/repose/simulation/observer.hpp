@@ -9,10 +9,12 @@
 
 namespace repose {
 
+template <int D>
 class Simulation;
 
 /// Observes a simulation whenever it is due. It changes nothing there, so that a run has the same bits with it and
 /// without.
+template <int D>
 class Observer {
  public:
   virtual ~Observer() = default;
@@ -24,18 +26,19 @@ class Observer {
   /// Whether it is due, too, at the end of a run.
   virtual bool due_at_end() const { return false; }
 
-  virtual void observe(const Simulation& simulation) = 0;
+  virtual void observe(const Simulation<D>& simulation) = 0;
 };
 
 /// Calls a function at regular times.
-class RegularObserver final : public Observer {
+template <int D>
+class RegularObserver final : public Observer<D> {
  public:
-  using Use = std::function<void(const Simulation&)>;
+  using Use = std::function<void(const Simulation<D>&)>;
 
   RegularObserver(const Every& times, Use use) : times_(times), use_(std::move(use)) {}
 
   double due_after(double time) const override { return times_.after(time); }
-  void observe(const Simulation& simulation) override { use_(simulation); }
+  void observe(const Simulation<D>& simulation) override { use_(simulation); }
 
  private:
   Every times_;

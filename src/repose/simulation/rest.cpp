@@ -32,9 +32,11 @@ double limit_of_forces(const Scene& scene) {
 
 }  // namespace
 
-Unrest largest_unrest(const Grains<2>& grains, const Contacts<2>& contacts, const std::vector<Load<2>>& loads,
-                      double gravity, double diameter) {
-  auto net = net_forces(grains, contacts, Vec<2>{{0.0, -gravity}});
+template <int D>
+Unrest largest_unrest(const Grains<D>& grains, const Contacts<D>& contacts, const std::vector<Load<D>>& loads,
+                      const Vec<D>& gravity_vector, double diameter) {
+  const double gravity = magnitude(gravity_vector);
+  auto net = net_forces(grains, contacts, gravity_vector);
   for (const auto& load : loads) {
     const auto found = std::find(grains.id.begin(), grains.id.end(), load.grain);
     if (found != grains.id.end()) net[static_cast<std::size_t>(found - grains.id.begin())] += load.force;
@@ -47,7 +49,7 @@ Unrest largest_unrest(const Grains<2>& grains, const Contacts<2>& contacts, cons
   for (std::size_t k = 0; k < grains.size(); ++k) {
     const auto& grain = grains.line[k];
     if (grain.fixed()) continue;
-    const double speed2 = squared(grain.velocity) + squared(grain.rim_velocity) / inverse_inertia_factor<2>;
+    const double speed2 = squared(grain.velocity) + squared(grain.rim_velocity) / inverse_inertia_factor<D>;
     const double weight = gravity > 0.0 ? grain.mass * gravity : mean;
     take(largest.kinetic_energy, weight > 0.0 ? 0.5 * grain.mass * speed2 / (weight * diameter) : infinite);
     take(largest.net_force, weight > 0.0 ? magnitude(net[k]) / weight : infinite);
@@ -55,17 +57,24 @@ Unrest largest_unrest(const Grains<2>& grains, const Contacts<2>& contacts, cons
   return largest;
 }
 
+template Unrest largest_unrest(const Grains<2>&, const Contacts<2>&, const std::vector<Load<2>>&, const Vec<2>&,
+                               double);
+template Unrest largest_unrest(const Grains<3>&, const Contacts<3>&, const std::vector<Load<3>>&, const Vec<3>&,
+                               double);
+
 Rest::Rest(const Scene& scene, const TimeSteps& steps) : times_(0.0, steps) {
   if (!scene.stop.at_rest) return;
   times_ = Every(interval_of(scene), steps);
   limit_ = *scene.stop.at_rest;
   force_limit_ = limit_of_forces(scene);
   window_ = scene.output.window;
-  for (const auto& wall : make_walls(scene)) {
-    if (std::isfinite(wall.opens_at)) not_before_ = std::max(not_before_, wall.opens_at);
-    if (wall.motion.kind == WallMotion<2>::Kind::none) continue;
-    not_before_ = std::max(not_before_, std::isfinite(wall.motion.stop) ? wall.motion.stop : wall.motion.start);
-  }
+  with_dimension(scene.dimension, [&](auto dimension) {
+    for (const auto& wall : make_walls<dimension>(scene)) {
+      if (std::isfinite(wall.opens_at)) not_before_ = std::max(not_before_, wall.opens_at);
+      if (wall.motion.kind == WallMotion<dimension>::Kind::none) continue;
+      not_before_ = std::max(not_before_, std::isfinite(wall.motion.stop) ? wall.motion.stop : wall.motion.start);
+    }
+  });
 }
 
 bool Rest::lasts(const Unrest& unrest, double time) {

@@ -21,8 +21,9 @@ struct Unrest {
 
 /// `loads` act on grains besides gravity and contacts; walls and bases carry theirs by the contacts. Without gravity
 /// the mean normal force of the contacts takes the place of the weight; without such a force the unrest is infinite.
-Unrest largest_unrest(const Grains<2>& grains, const Contacts<2>& contacts, const std::vector<Load<2>>& loads,
-                      double gravity, double diameter);
+template <int D = 2>
+Unrest largest_unrest(const Grains<D>& grains, const Contacts<D>& contacts, const std::vector<Load<D>>& loads,
+                      const Vec<D>& gravity, double diameter);
 
 /// The rule of `stop.at_rest`: every grain has been below the limit for as long as base forces are averaged. It checks
 /// at times of its own, every half of sqrt(d/g) (without gravity, every twentieth of output.window), and not at the

@@ -20,7 +20,8 @@ namespace repose {
 namespace {
 
 /// The median speed of the marked grains that move; 0 where none is marked.
-double median_speed(const Grains<2>& grains, const std::vector<bool>& marked) {
+template <int D>
+double median_speed(const Grains<D>& grains, const std::vector<bool>& marked) {
   std::vector<double> speeds;
   for (std::size_t k = 0; k < grains.size(); ++k) {
     if (marked[k] && !grains.line[k].fixed()) speeds.push_back(magnitude(grains.line[k].velocity));
@@ -33,11 +34,12 @@ double median_speed(const Grains<2>& grains, const std::vector<bool>& marked) {
 
 }  // namespace
 
-void Series::add_row(const Simulation& simulation, Method<2>& method) {
+template <int D>
+void Series<D>::add_row(const Simulation<D>& simulation, Method<D>& method) {
   const auto& scene = simulation.scene();
   const auto& grains = simulation.grains();
   // Geometry alone holds deposited discs: there are no forces to measure while they are laid down.
-  const Contacts<2> none;
+  const Contacts<D> none;
   const auto& contacts = scene.method->traits().has_forces() ? simulation.contacts() : none;
   SeriesRow row;
   row.time = simulation.time();
@@ -46,7 +48,7 @@ void Series::add_row(const Simulation& simulation, Method<2>& method) {
   row.contacts = std::count_if(contacts.list.begin(), contacts.list.end(),
                                [&](const auto& contact) { return std::fabs(contact.normal_force) > threshold; });
   row.kinetic_energy_per_grain = row.grains > 0 ? kinetic_energy(grains) / static_cast<double>(row.grains) : 0.0;
-  row.force_residual = force_residual(grains, contacts, Vec<2>{{0.0, -scene.gravity}});
+  row.force_residual = force_residual(grains, contacts, scene.template gravity_vector<D>());
   row.max_overlap = max_overlap(contacts);
   row.lost = simulation.lost();
   add_walls(simulation, contacts, method);
@@ -60,37 +62,59 @@ void Series::add_row(const Simulation& simulation, Method<2>& method) {
   rows_.push_back(row);
 }
 
-void Series::add_walls(const Simulation& simulation, const Contacts<2>& contacts, Method<2>& method) {
+template <int D>
+void Series<D>::add_walls(const Simulation<D>& simulation, const Contacts<D>& contacts, Method<D>& method) {
   const auto impulses = method.take_wall_impulses();
   if (impulses.empty()) return;
   const double time = simulation.time();
   const double duration = time - (rows_.empty() ? 0.0 : rows_.back().time);
-  const auto box = make_box(simulation.scene());
-  const auto& grains = simulation.grains();
-  const auto spans = spans_of(recorded_walls(simulation.scene(), method.walls(), time), grains, box);
-  const auto moments = wall_moments(spans, grains, contacts, box);
   for (std::size_t w = 0; w < impulses.size(); ++w) {
-    const double displacement = method.walls()[w].displacement;
-    walls_.push_back({displacement, impulses[w] * (1.0 / duration), spans[w].length, moments[w]});
+    WallRow<D> row;
+    row.displacement = method.walls()[w].displacement;
+    row.force = impulses[w] * (1.0 / duration);
+    walls_.push_back(row);
+  }
+  if constexpr (D == 2) add_spans(simulation, contacts, method);
+}
+
+/// Lengths and moments of the walls, for their last rows.
+template <int D>
+void Series<D>::add_spans(const Simulation<D>& simulation, const Contacts<D>& contacts, const Method<D>& method) {
+  if constexpr (D == 2) {
+    const auto box = make_box(simulation.scene());
+    const auto& grains = simulation.grains();
+    const auto spans = spans_of(recorded_walls(simulation.scene(), method.walls(), simulation.time()), grains, box);
+    const auto moments = wall_moments(spans, grains, contacts, box);
+    for (std::size_t w = 0; w < spans.size(); ++w) {
+      auto& row = walls_[walls_.size() - spans.size() + w];
+      row.length = spans[w].length;
+      row.moment = moments[w];
+    }
   }
 }
 
 std::size_t followed_slices(const Scene& scene) {
-  return scene.method->traits().has_forces() && find_pipe(scene) ? static_cast<std::size_t>(scene.output.slices) : 0;
+  return scene.dimension == 2 && scene.method->traits().has_forces() && find_pipe(scene)
+             ? static_cast<std::size_t>(scene.output.slices)
+             : 0;
 }
 
-void Series::add_column(const Simulation& simulation, const Contacts<2>& contacts, const Method<2>& method) {
-  const auto& scene = simulation.scene();
-  const auto pipe = scene.method->traits().has_forces() ? find_pipe(scene) : std::nullopt;
-  if (!pipe) return;
-  const auto walls = recorded_walls(scene, method.walls(), simulation.time());
-  const auto column =
-      measure_column(pipe->at(walls), simulation.grains(), contacts, static_cast<std::size_t>(scene.output.slices));
-  columns_.push_back(column.row);
-  slices_.insert(slices_.end(), column.slices.begin(), column.slices.end());
+template <int D>
+void Series<D>::add_column(const Simulation<D>& simulation, const Contacts<D>& contacts, const Method<D>& method) {
+  if constexpr (D == 2) {
+    const auto& scene = simulation.scene();
+    const auto pipe = scene.method->traits().has_forces() ? find_pipe(scene) : std::nullopt;
+    if (!pipe) return;
+    const auto walls = recorded_walls<D>(scene, method.walls(), simulation.time());
+    const auto column =
+        measure_column(pipe->at(walls), simulation.grains(), contacts, static_cast<std::size_t>(scene.output.slices));
+    columns_.push_back(column.row);
+    slices_.insert(slices_.end(), column.slices.begin(), column.slices.end());
+  }
 }
 
-void Series::exchange(Archive& archive, std::size_t walls, std::size_t slices) {
+template <int D>
+void Series<D>::exchange(Archive& archive, std::size_t walls, std::size_t slices) {
   archive.array("run/series", rows_);
   archive.array("run/walls", walls_);
   archive.check("run/walls", walls_.size() == rows_.size() * walls);
@@ -99,5 +123,8 @@ void Series::exchange(Archive& archive, std::size_t walls, std::size_t slices) {
   archive.check("run/columns", columns_.size() == (slices > 0 ? rows_.size() : 0));
   archive.check("run/slices", slices_.size() == columns_.size() * slices);
 }
+
+template class Series<2>;
+template class Series<3>;
 
 }  // namespace repose

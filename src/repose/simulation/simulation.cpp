@@ -32,7 +32,8 @@ constexpr double longest_batch = 1e7;
 constexpr double least_cost = 20.0;  // of a step, in grain-steps
 
 /// Drops grains that have left the box since the last row, and their contacts; returns how many there were.
-std::int64_t drop_outside(const Box<2>& box, Grains<2>& grains, Contacts<2>& contacts) {
+template <int D>
+std::int64_t drop_outside(const Box<D>& box, Grains<D>& grains, Contacts<D>& contacts) {
   std::vector<std::uint32_t> inside;
   std::vector<std::int64_t> left;
   for (std::uint32_t k = 0; k < grains.size(); ++k) {
@@ -53,13 +54,14 @@ std::int64_t drop_outside(const Box<2>& box, Grains<2>& grains, Contacts<2>& con
 
 }  // namespace
 
-Simulation::Simulation(Scene scene, int threads)
+template <int D>
+Simulation<D>::Simulation(Scene scene, int threads)
     : scene_(with_own_start(std::move(scene))),
       team_(threads),
-      grains_(initial_grains(scene_)),
-      method_(make_method(scene_)),
+      grains_(initial_grains<D>(scene_)),
+      method_(make_method<D>(scene_)),
       steps_(method_->time_steps()),
-      source_(make_source(scene_, steps_, grains_.id.empty() ? 0 : grains_.id.back() + 1)),
+      source_(make_source<D>(scene_, steps_, grains_.id.empty() ? 0 : grains_.id.back() + 1)),
       loads_(scene_, steps_),
       end_(scene_.stop.time ? steps_.rounded(*scene_.stop.time) : infinity),
       placed_(static_cast<std::int64_t>(moving_count(grains_))),
@@ -72,15 +74,16 @@ Simulation::Simulation(Scene scene, int threads)
   method_->grains_added(grains_);
 }
 
-Advanced Simulation::advance(double until, const Pause& pause) {
+template <int D>
+Advanced Simulation<D>::advance(double until, const Pause& pause) {
   if (std::isnan(until)) throw InputError("the time to advance to is not a number");
   struct Timer {
-    explicit Timer(Simulation& simulation) : timed(simulation) { timed.since_ = Clock::now(); }
+    explicit Timer(Simulation<D>& simulation) : timed(simulation) { timed.since_ = Clock::now(); }
     ~Timer() {
       timed.seconds_ = timed.wall_seconds();
       timed.since_.reset();
     }
-    Simulation& timed;
+    Simulation<D>& timed;
   } const timer(*this);
   const double end = steps_.nearest(until);
   if (!begun_) begin();
@@ -91,25 +94,28 @@ Advanced Simulation::advance(double until, const Pause& pause) {
   return {time(), status_};
 }
 
-Advanced Simulation::run(const Pause& pause) {
+template <int D>
+Advanced Simulation<D>::run(const Pause& pause) {
   advance(infinity, pause);
   if (status_ == Status::running) stop(Status::interrupted, "interrupted");
   return {time(), status_};
 }
 
-void Simulation::begin() {
+template <int D>
+void Simulation<D>::begin() {
   begun_ = true;
   if (scene_.source->above_apex()) refresh();  // the first grain asks what touches
   release_due_grains();
   begin_due_loads();
   refresh();
-  if (const auto remembered = contacts_at_start(scene_); remembered.size() > 0) {
+  if (const auto remembered = contacts_at_start<D>(scene_); remembered.size() > 0) {
     method_->set_slip_displacements(grains_, remembered);
   }
   if (max_overlap(contacts()) > largest_overlap) stop(Status::failed, describe_trouble(*this));
 }
 
-void Simulation::take_batch(double end) {
+template <int D>
+void Simulation<D>::take_batch(double end) {
   const double before = time();
   const double next = next_due(end);  // now, if an observer has thrown before sources and loads had their turn
   const auto report = method_->advance(grains_, next, team_);
@@ -145,7 +151,8 @@ void Simulation::take_batch(double end) {
 }
 
 /// The next time at which anything is due, at most `end`, and at most a batch away.
-double Simulation::next_due(double end) const {
+template <int D>
+double Simulation<D>::next_due(double end) const {
   const double now = time();
   double next = std::min(
       {end, end_, row_times_.after(now), source_->due(), loads_.due(), track_.due_after(now), rest_.due_after(now)});
@@ -158,20 +165,23 @@ double Simulation::next_due(double end) const {
 }
 
 /// Whether the last grain has come, no load is to begin, and everything has been at rest for long enough.
-bool Simulation::rests(double before) {
+template <int D>
+bool Simulation<D>::rests(double before) {
   if (rest_.due_after(before) > time() || !source_->done() || loads_.due() < infinity) return false;
   const Profile::Stage stage(profile(), "test of rest");
   drop_lost_grains();
-  const auto unrest = largest_unrest(grains_, contacts(), loads_.acting(), scene_.gravity, scene_.grains.diameter);
+  const auto unrest =
+      largest_unrest(grains_, contacts(), loads_.acting(), scene_.template gravity_vector<D>(), scene_.grains.diameter);
   const bool lasts = rest_.lasts(unrest, time());
   // Base forces are averaged over the rest alone.
   if (rest_.has_just_begun(time())) base_forces_.record(grains_, time());
   return lasts;
 }
 
-void Simulation::observe(double before, bool ends) {
+template <int D>
+void Simulation<D>::observe(double before, bool ends) {
   const Profile::Stage stage(profile(), "track and progress");
-  const auto is_due = [&](const Observer& observer) {
+  const auto is_due = [&](const Observer<D>& observer) {
     return observer.due_after(before) <= time() || (ends && observer.due_at_end());
   };
   if (is_due(track_)) track_.observe(*this);
@@ -180,15 +190,20 @@ void Simulation::observe(double before, bool ends) {
   }
 }
 
-void Simulation::add(std::unique_ptr<Observer> observer) { observers_.push_back(std::move(observer)); }
+template <int D>
+void Simulation<D>::add(std::unique_ptr<Observer<D>> observer) {
+  observers_.push_back(std::move(observer));
+}
 
-void Simulation::observe_every(double interval, RegularObserver::Use use) {
+template <int D>
+void Simulation<D>::observe_every(double interval, typename RegularObserver<D>::Use use) {
   if (!(interval > 0.0)) throw InputError(fmt::format("the interval of an observer = {}: must be > 0", interval));
-  add(std::make_unique<RegularObserver>(Every(interval, steps_), std::move(use)));
+  add(std::make_unique<RegularObserver<D>>(Every(interval, steps_), std::move(use)));
 }
 
 /// Adds a row to the series and stops where it calls for that.
-void Simulation::add_row() {
+template <int D>
+void Simulation<D>::add_row() {
   const Profile::Stage stage(profile(), "time series");
   drop_lost_grains();
   base_forces_.record(grains_, time());
@@ -196,19 +211,22 @@ void Simulation::add_row() {
   if (const auto found = stop_after_row(*this, *source_)) stop(found->status, found->message);
 }
 
-void Simulation::drop_lost_grains() {
-  const auto box = make_box(scene_);
+template <int D>
+void Simulation<D>::drop_lost_grains() {
+  const auto box = make_box<D>(scene_);
   const auto has_left = [&](const auto& grain) { return !grain.fixed() && box.outside(grain.position); };
   if (std::any_of(grains_.line.begin(), grains_.line.end(), has_left)) refresh();
   moving_ = moving_count(grains_);
 }
 
-void Simulation::refresh() {
+template <int D>
+void Simulation<D>::refresh() {
   method_->refresh(grains_, team_);
   contacts_.reset();
 }
 
-void Simulation::release_due_grains() {
+template <int D>
+void Simulation<D>::release_due_grains() {
   if (source_->due() > time()) return;
   const Profile::Stage stage(profile(), "sources");
   const SourceView view{[this] { return apex(); }, method_->walls()};
@@ -218,21 +236,24 @@ void Simulation::release_due_grains() {
   moving_ = moving_count(grains_);
 }
 
-double Simulation::apex() const {
+template <int D>
+double Simulation<D>::apex() const {
   const auto touching = supported(grains_, contacts());
   double highest = 0.0;
   for (std::size_t k = 0; k < grains_.size(); ++k) {
     const auto& grain = grains_.line[k];
-    if (touching[k]) highest = std::max(highest, grain.position[1] + grain.radius);
+    if (touching[k]) highest = std::max(highest, grain.position[up<D>] + grain.radius);
   }
   return highest;
 }
 
-void Simulation::begin_due_loads() {
+template <int D>
+void Simulation<D>::begin_due_loads() {
   if (loads_.begin_due(time(), grains_)) method_->set_loads(loads_.acting());
 }
 
-const Contacts<2>& Simulation::contacts() const {
+template <int D>
+const Contacts<D>& Simulation<D>::contacts() const {
   if (!contacts_) {
     const Profile::Stage stage(profile(), "contacts of the state");
     contacts_ = method_->contacts(grains_);
@@ -240,30 +261,41 @@ const Contacts<2>& Simulation::contacts() const {
   return *contacts_;
 }
 
-std::int64_t Simulation::released() const { return source_->released() + method_->made(); }
+template <int D>
+std::int64_t Simulation<D>::released() const {
+  return source_->released() + method_->made();
+}
 
 /// Grains that have left when these are present.
-std::int64_t Simulation::lost_but(const Grains<2>& present) const {
+template <int D>
+std::int64_t Simulation<D>::lost_but(const Grains<D>& present) const {
   return placed_ + released() - static_cast<std::int64_t>(moving_count(present));
 }
 
-std::int64_t Simulation::lost() const { return lost_but(grains_); }
+template <int D>
+std::int64_t Simulation<D>::lost() const {
+  return lost_but(grains_);
+}
 
-double Simulation::wall_seconds() const {
+template <int D>
+double Simulation<D>::wall_seconds() const {
   return seconds_ + (since_ ? std::chrono::duration<double>(Clock::now() - *since_).count() : 0.0);
 }
 
-void Simulation::start_profile() {
+template <int D>
+void Simulation<D>::start_profile() {
   profile_ = std::make_unique<Profile>();
   method_->set_profile(profile());
 }
 
-void Simulation::stop(Status status, std::string message) {
+template <int D>
+void Simulation<D>::stop(Status status, std::string message) {
   status_ = status;
   message_ = std::move(message);
 }
 
-void Simulation::exchange(Archive& archive) {
+template <int D>
+void Simulation<D>::exchange(Archive& archive) {
   double seconds = wall_seconds();
   archive.value("run/steps", taken_);
   archive.value("run/grain_steps", grain_steps_);
@@ -279,16 +311,21 @@ void Simulation::exchange(Archive& archive) {
   if (archive.restoring()) seconds_ = seconds;
 }
 
-void Simulation::restored(Track track) {
+template <int D>
+void Simulation<D>::restored(Track<D> track) {
   track_.restore(std::move(track));
   method_->restored(grains_, team_);
   contacts_.reset();
   begun_ = true;
 }
 
-Record Simulation::record() const { return record_of(grains_); }
+template <int D>
+Record<D> Simulation<D>::record() const {
+  return record_of(grains_);
+}
 
-Record Simulation::last_record() {
+template <int D>
+Record<D> Simulation<D>::last_record() {
   if (method_->supports() == nullptr) contacts();
   auto record = record_of(std::move(grains_));
   contacts_.reset();
@@ -297,11 +334,12 @@ Record Simulation::last_record() {
 }
 
 /// The record of the present state with these grains, which are those of the simulation. They may have been moved out.
-Record Simulation::record_of(Grains<2> present) const {
-  Record record;
+template <int D>
+Record<D> Simulation<D>::record_of(Grains<D> present) const {
+  Record<D> record;
   record.scene = scene_;
-  record.box = make_box(scene_);
-  record.walls = recorded_walls(scene_, method_->walls(), time());
+  record.box = make_box<D>(scene_);
+  record.walls = recorded_walls<D>(scene_, method_->walls(), time());
   const auto crossed = method_->wall_crossings(present);
   for (std::size_t w = 0; w < crossed.size(); ++w) record.walls[w].crossed = crossed[w];
   const double unit = scene_.base_force_unit();
@@ -314,7 +352,7 @@ Record Simulation::record_of(Grains<2> present) const {
     record.contacts = contacts();
     facts.lost += drop_outside(record.box, present, record.contacts);
   }
-  record.grains = OrderedGrains<2>(std::move(present), record.box);
+  record.grains = OrderedGrains<D>(std::move(present), record.box);
   facts.status = status_;
   facts.message = message_;
   facts.time = time();
@@ -337,5 +375,8 @@ Record Simulation::record_of(Grains<2> present) const {
   record.track = track_.track();
   return record;
 }
+
+template class Simulation<2>;
+template class Simulation<3>;
 
 }  // namespace repose

@@ -36,6 +36,7 @@ struct Advanced {
 
 /// A scene at work: its method, source, loads, stops and observers. Neither the division of a run into advances nor its
 /// observers change a bit of it.
+template <int D = 2>
 class Simulation {
  public:
   Simulation(Scene scene, int threads);
@@ -50,30 +51,30 @@ class Simulation {
   Advanced run(const Pause& pause = {});
 
   /// Adds an observer; those of one time are called in the order in which they were added.
-  void add(std::unique_ptr<Observer> observer);
+  void add(std::unique_ptr<Observer<D>> observer);
 
   /// Calls a function every `interval` of simulated time [T], > 0, in whole steps where the method's are equal. It sees
   /// the state before the source adds to it. What it throws ends the advance; the next one continues the run as if it
   /// had not. Throws InputError.
-  void observe_every(double interval, RegularObserver::Use use);
+  void observe_every(double interval, typename RegularObserver<D>::Use use);
 
   /// All that changes in a run but the track, for a checkpoint; a simulation of the same scene can be given it.
   void exchange(Archive& archive);
 
   /// Called after `exchange` has given the state back.
-  void restored(Track track);
+  void restored(Track<D> track);
 
   const Scene& scene() const { return scene_; }
-  const Grains<2>& grains() const { return grains_; }
-  const Contacts<2>& contacts() const;
+  const Grains<D>& grains() const { return grains_; }
+  const Contacts<D>& contacts() const;
   const std::vector<WallState>& walls() const { return method_->walls(); }
   const std::vector<SeriesRow>& series() const { return series_.rows(); }
-  const Track& track() const { return track_.track(); }
+  const Track<D>& track() const { return track_.track(); }
   /// All that there is to know of the run so far.
-  Record record() const;
+  Record<D> record() const;
   /// The same for a run that ends here, without a copy of its grains. Afterwards the simulation cannot continue; only
   /// its scene, status and message may be asked for.
-  Record last_record();
+  Record<D> last_record();
 
   Status status() const { return status_; }
   const std::string& message() const { return message_; }  ///< why it stopped
@@ -107,29 +108,29 @@ class Simulation {
   void refresh();
   double apex() const;
   void stop(Status status, std::string message);
-  Record record_of(Grains<2> present) const;
-  std::int64_t lost_but(const Grains<2>& present) const;
+  Record<D> record_of(Grains<D> present) const;
+  std::int64_t lost_but(const Grains<D>& present) const;
 
   Scene scene_;
   Team team_;
-  Grains<2> grains_;
-  std::unique_ptr<Method<2>> method_;
+  Grains<D> grains_;
+  std::unique_ptr<Method<D>> method_;
   TimeSteps steps_;
-  std::unique_ptr<Source> source_;
-  Loads loads_;
+  std::unique_ptr<Source<D>> source_;
+  Loads<D> loads_;
   double end_;               // [T] stop.time, in whole steps; infinity without it
   std::int64_t placed_ = 0;  // moving grains at the start
   std::size_t moving_ = 0;
   long taken_ = 0;  // steps or events
   double grain_steps_ = 0.0;
-  mutable std::optional<Contacts<2>> contacts_;  // of the present state, once they have been asked for
+  mutable std::optional<Contacts<D>> contacts_;  // of the present state, once they have been asked for
 
   Every row_times_;
-  Series series_;
-  BaseForces base_forces_;
+  Series<D> series_;
+  BaseForces<D> base_forces_;
   Rest rest_;
-  TrackObserver track_;
-  std::vector<std::unique_ptr<Observer>> observers_;
+  TrackObserver<D> track_;
+  std::vector<std::unique_ptr<Observer<D>>> observers_;
   std::unique_ptr<Profile> profile_;
 
   Status status_ = Status::running;

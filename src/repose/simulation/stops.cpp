@@ -11,14 +11,16 @@
 
 namespace repose {
 
-std::optional<Stop> stop_of_source(const Simulation& simulation, const Source& source) {
+template <int D>
+std::optional<Stop> stop_of_source(const Simulation<D>& simulation, const Source<D>& source) {
   const auto& scene = simulation.scene();
   const double fall = std::sqrt(scene.grains.diameter / scene.gravity);
   if (source.done() || source.waiting(simulation.time()) <= source.patience() * fall) return std::nullopt;
   return Stop{Status::failed, source.buried()};
 }
 
-std::optional<Stop> stop_after_row(const Simulation& simulation, const Source& source) {
+template <int D>
+std::optional<Stop> stop_after_row(const Simulation<D>& simulation, const Source<D>& source) {
   const auto& scene = simulation.scene();
   const auto& row = simulation.series().back();
   if (row.max_overlap > largest_overlap) return Stop{Status::failed, describe_trouble(simulation)};
@@ -31,5 +33,10 @@ std::optional<Stop> stop_after_row(const Simulation& simulation, const Source& s
   }
   return stop_of_source(simulation, source);
 }
+
+template std::optional<Stop> stop_of_source(const Simulation<2>&, const Source<2>&);
+template std::optional<Stop> stop_of_source(const Simulation<3>&, const Source<3>&);
+template std::optional<Stop> stop_after_row(const Simulation<2>&, const Source<2>&);
+template std::optional<Stop> stop_after_row(const Simulation<3>&, const Source<3>&);
 
 }  // namespace repose

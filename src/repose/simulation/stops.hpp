@@ -10,6 +10,7 @@
 
 namespace repose {
 
+template <int D>
 class Simulation;
 
 /// The end of a run and the reason for it.
@@ -19,9 +20,11 @@ struct Stop {
 };
 
 /// The stop because a grain has waited for room for too long, if it has.
-std::optional<Stop> stop_of_source(const Simulation& simulation, const Source& source);
+template <int D>
+std::optional<Stop> stop_of_source(const Simulation<D>& simulation, const Source<D>& source);
 
 /// The stop that the last row of the series calls for, if any: trouble.
-std::optional<Stop> stop_after_row(const Simulation& simulation, const Source& source);
+template <int D>
+std::optional<Stop> stop_after_row(const Simulation<D>& simulation, const Source<D>& source);
 
 }  // namespace repose

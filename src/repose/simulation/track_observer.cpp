@@ -8,21 +8,29 @@
 
 namespace repose {
 
-void TrackObserver::observe(const Simulation& simulation) {
+template <int D>
+void TrackObserver<D>::observe(const Simulation<D>& simulation) {
   if (!track_.empty() && track_.back().time == simulation.time()) return;
   const auto& grains = simulation.grains();
-  const auto box = make_box(simulation.scene());
+  const auto box = make_box<D>(simulation.scene());
   const auto in_heap = supported(grains, simulation.contacts());
-  TrackMoment moment{simulation.time(), {}};
+  TrackMoment<D> moment{simulation.time(), {}};
   moment.grains.reserve(simulation.moving());
   for (const auto k : by_id(grains)) {
     const auto& grain = grains.line[k];
     if (grain.fixed() || box.outside(grain.position)) continue;
     const auto place = box.wrapped(grain.position);
-    moment.grains.push_back({grains.id[k], static_cast<float>(place[0]), static_cast<float>(place[1]),
-                             static_cast<float>(grain.radius), static_cast<float>(kinetic_energy(grain)), in_heap[k]});
+    TrackedGrain<D> tracked{
+        grains.id[k], {}, static_cast<float>(grain.radius), static_cast<float>(kinetic_energy(grain)), in_heap[k]};
+    for (int axis = 0; axis < D; ++axis) {
+      tracked.position[static_cast<std::size_t>(axis)] = static_cast<float>(place[axis]);
+    }
+    moment.grains.push_back(tracked);
   }
   track_.push_back(std::move(moment));
 }
+
+template class TrackObserver<2>;
+template class TrackObserver<3>;
 
 }  // namespace repose

@@ -8,20 +8,21 @@
 namespace repose {
 
 /// Records where the moving grains are, at regular times and at the end.
-class TrackObserver final : public Observer {
+template <int D>
+class TrackObserver final : public Observer<D> {
  public:
   explicit TrackObserver(const Every& times) : times_(times) {}
 
   double due_after(double time) const override { return times_.after(time); }
   bool due_at_end() const override { return !times_.never(); }
-  void observe(const Simulation& simulation) override;
+  void observe(const Simulation<D>& simulation) override;
 
-  const Track& track() const { return track_; }
-  void restore(Track track) { track_ = std::move(track); }
+  const Track<D>& track() const { return track_; }
+  void restore(Track<D> track) { track_ = std::move(track); }
 
  private:
   Every times_;
-  Track track_;
+  Track<D> track_;
 };
 
 }  // namespace repose

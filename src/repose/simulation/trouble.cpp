@@ -13,9 +13,10 @@
 
 namespace repose {
 
-std::string describe_trouble(const Simulation& simulation) {
+template <int D>
+std::string describe_trouble(const Simulation<D>& simulation) {
   if (!simulation.scene().method->traits().follows_time) {
-    return fmt::format("disc {} finds no place to rest", simulation.released());
+    return fmt::format("{} {} finds no place to rest", D == 2 ? "disc" : "sphere", simulation.released());
   }
   const auto& grains = simulation.grains();
   std::vector<std::string> found;
@@ -23,7 +24,7 @@ std::string describe_trouble(const Simulation& simulation) {
   for (const auto k : by_id(grains)) {
     const auto& grain = grains.line[k];
     const double speed = magnitude(grain.velocity);
-    const bool finite = std::isfinite(speed) && std::isfinite(grain.position[0]) && std::isfinite(grain.position[1]);
+    const bool finite = std::isfinite(speed) && std::isfinite(magnitude(grain.position));
     if (!finite) {
       found.push_back(fmt::format("grain {} is not a number", grains.id[k]));
     } else if (speed * simulation.time_step() >= grain.radius) {
@@ -42,5 +43,8 @@ std::string describe_trouble(const Simulation& simulation) {
   if (found.size() > most) text += fmt::format("; and {} more", found.size() - most);
   return text + ". A smaller method.time_step, a stiffer contact or a lower fall may help";
 }
+
+template std::string describe_trouble(const Simulation<2>&);
+template std::string describe_trouble(const Simulation<3>&);
 
 }  // namespace repose

@@ -6,6 +6,7 @@
 
 namespace repose {
 
+template <int D>
 class Simulation;
 
 /// Relative overlap beyond which a run fails: the centres are closer than a quarter of the mean diameter, for which no
@@ -13,6 +14,7 @@ class Simulation;
 inline constexpr double largest_overlap = 0.75;
 
 /// Why the present state of a simulation cannot be trusted: the message of a run that fails.
-std::string describe_trouble(const Simulation& simulation);
+template <int D>
+std::string describe_trouble(const Simulation<D>& simulation);
 
 }  // namespace repose

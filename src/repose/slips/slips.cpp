@@ -18,7 +18,7 @@ constexpr double part_of_mean = 1e-3;  // of the force: smaller changes are no s
 constexpr double left_out = 0.2;       // of the time since the wall set out, while the column packs
 constexpr double part_of_drive = 0.1;  // of the speed that drives it: a slower wall stands
 
-std::optional<std::size_t> driven_wall(const Record& record) {
+std::optional<std::size_t> driven_wall(const Record<2>& record) {
   for (const auto kind : {Kind::spring, Kind::velocity}) {
     for (std::size_t w = 0; w < record.walls.size(); ++w) {
       if (record.walls[w].wall.motion.kind == kind) return w;
@@ -29,7 +29,7 @@ std::optional<std::size_t> driven_wall(const Record& record) {
 
 /// The rows while the wall goes. A spring pulls with its stiffness times its length; a wall of given speed is pushed by
 /// what the grains resist with, as a mean since the row before.
-std::vector<DriveRow> path_of(const Record& record, std::size_t w) {
+std::vector<DriveRow> path_of(const Record<2>& record, std::size_t w) {
   const auto& motion = record.walls[w].wall.motion;
   std::vector<DriveRow> path;
   for (std::size_t row = 0; row < record.series.size(); ++row) {
@@ -46,7 +46,7 @@ std::vector<DriveRow> path_of(const Record& record, std::size_t w) {
 }
 
 /// Sets how fast the wall is driven, and for how much of the time it stands.
-void add_drive(const Record& record, const WallMotion<2>& motion, Slips& slips) {
+void add_drive(const Record<2>& record, const WallMotion<2>& motion, Slips& slips) {
   slips.drive_speed = std::fabs(motion.speed);
   if (motion.kind == Kind::spring && motion.stiffness > 0.0) {
     double mass = motion.mass;
@@ -98,7 +98,7 @@ std::vector<Slip> find_slips(const std::vector<DriveRow>& path, double hysteresi
   return found;
 }
 
-Slips slips(const Record& record) {
+Slips slips(const Record<2>& record) {
   Slips result;
   const auto wall = driven_wall(record);
   if (!wall) {

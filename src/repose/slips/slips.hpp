@@ -13,6 +13,6 @@ namespace repose {
 std::vector<Slip> find_slips(const std::vector<DriveRow>& path, double hysteresis);
 
 /// The slips of the first wall that is driven by a spring or at a speed, from the rows of the time series.
-Slips slips(const Record& record);
+Slips slips(const Record<2>& record);
 
 }  // namespace repose

@@ -16,14 +16,14 @@ namespace {
 constexpr double no_friction = 1e-9;
 
 /// The place of the second partner; none for a wall.
-std::optional<std::size_t> second_place(const Record& record, const Contact<2>& contact) {
+std::optional<std::size_t> second_place(const Record<2>& record, const Contact<2>& contact) {
   return contact.second < 0 ? std::nullopt : record.grains.find(contact.second);
 }
 
 std::size_t wall_number(const Contact<2>& contact) { return static_cast<std::size_t>(-1 - contact.second); }
 
 /// The laws between the partners of a contact.
-const ContactLaws& laws_between(const MaterialLaws& laws, const Record& record, const Contact<2>& contact) {
+const ContactLaws& laws_between(const MaterialLaws& laws, const Record<2>& record, const Contact<2>& contact) {
   const auto& material = record.grains->material;
   const auto second = second_place(record, contact);
   const std::size_t a = material[*record.grains.find(contact.first)];
@@ -32,7 +32,7 @@ const ContactLaws& laws_between(const MaterialLaws& laws, const Record& record, 
 }
 
 /// The contact as its law sees it, at rest.
-Touch<double> touch_of(const Record& record, const Contact<2>& contact, double reach) {
+Touch<double> touch_of(const Record<2>& record, const Contact<2>& contact, double reach) {
   const auto& first = record.grains->line[*record.grains.find(contact.first)];
   const auto place = second_place(record, contact);
   const auto& second = place ? record.grains->line[*place] : first;  // a wall counts as a grain of the same size
@@ -44,7 +44,7 @@ Touch<double> touch_of(const Record& record, const Contact<2>& contact, double r
   return touch;
 }
 
-double stiffness_of(const ContactLaws& laws, const Record& record, const Contact<2>& contact) {
+double stiffness_of(const ContactLaws& laws, const Record<2>& record, const Contact<2>& contact) {
   const auto touch = touch_of(record, contact, reach(AnyNormal{laws.normal}));
   return normal_force(AnyNormal{at_radius(laws.normal, touch.effective_radius)}, touch).stiffness;
 }
@@ -55,7 +55,7 @@ bool has_friction(const ContactLaws& laws) {
 
 }  // namespace
 
-std::string reason_without_springs(const Record& record) {
+std::string reason_without_springs(const Record<2>& record) {
   const auto& scene = record.scene;
   if (record.facts.status == Status::failed) return "the run failed: its last state is not to be trusted";
   const auto resting = scene.method->resting_contacts(scene);
@@ -83,7 +83,7 @@ std::string reason_without_springs(const Record& record) {
   return "";
 }
 
-std::vector<ContactSpring> springs_of(const Record& record) {
+std::vector<ContactSpring> springs_of(const Record<2>& record) {
   const auto resting = record.scene.method->resting_contacts(record.scene);
   const auto laws = resting ? MaterialLaws{} : record.scene.material_laws();
   const auto stiffness = [&](const Contact<2>& contact) {

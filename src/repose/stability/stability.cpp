@@ -24,9 +24,9 @@ constexpr double most_net_force = 0.05;
 constexpr double neutral_within = 1e-9;
 
 /// The net force on each grain, loads included, along the directions in which it can move.
-double largest_net_force(const Record& record, const StiffnessMatrix& stiffness) {
+double largest_net_force(const Record<2>& record, const StiffnessMatrix& stiffness) {
   auto net = net_forces(*record.grains, record.contacts, Vec<2>{{0.0, -record.scene.gravity}});
-  Loads loads(record.scene, make_method(record.scene)->time_steps());
+  Loads<2> loads(record.scene, make_method(record.scene)->time_steps());
   loads.begin_due(record.facts.time, *record.grains);
   for (const auto& load : loads.acting()) {
     if (const auto place = record.grains.find(load.grain)) net[*place] += load.force;
@@ -47,7 +47,7 @@ double mean_stiffness(const std::vector<ContactSpring>& springs) {
 }
 
 /// The displacements of the grains in a mode, over the largest, and how many take part in it.
-void take_mode(const Record& record, const StiffnessMatrix& stiffness, const std::vector<double>& vector,
+void take_mode(const Record<2>& record, const StiffnessMatrix& stiffness, const std::vector<double>& vector,
                Stability& found) {
   double largest = 0.0;
   double squares = 0.0;
@@ -71,7 +71,7 @@ void take_mode(const Record& record, const StiffnessMatrix& stiffness, const std
 
 }  // namespace
 
-Stability stability(const Record& record) {
+Stability stability(const Record<2>& record) {
   Stability found;
   found.problem = reason_without_springs(record);
   if (!found.problem.empty()) return found;

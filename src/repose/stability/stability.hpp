@@ -8,6 +8,6 @@
 namespace repose {
 
 /// The smallest eigenvalue of the stiffness matrix of the last state of a run, and its mode: docs/physics/stability.md.
-Stability stability(const Record& record);
+Stability stability(const Record<2>& record);
 
 }  // namespace repose

@@ -51,11 +51,12 @@ void SweepReader::check_measure(const toml::table& table, const std::string& pre
   if (std::any_of(std::begin(profile_measures()), std::end(profile_measures()), of_profile)) return;
   const auto shown = fmt::format("{}measure = \"{}\": ", prefix, claim.measure);
   const auto* measure = find_measure(claim.measure);
-  if (measure != nullptr && measure->name == claim.measure && measure->kind == Measure::Kind::estimate) {
+  if (measure != nullptr && measure->name == claim.measure && measure->kind == KnownMeasure::Kind::estimate) {
     return problem(*table.get("measure"), fmt::format("{}is two numbers: {}.mean or .error", shown, claim.measure));
   }
   const bool of_estimate = claim.measure.ends_with(".mean") || claim.measure.ends_with(".error");
-  const bool whole = measure != nullptr && measure->name == claim.measure && measure->kind == Measure::Kind::number;
+  const bool whole =
+      measure != nullptr && measure->name == claim.measure && measure->kind == KnownMeasure::Kind::number;
   const bool part = measure != nullptr && measure->name != claim.measure && of_estimate;
   if (!(whole || part) || !measure->of_grains)
     return problem(*table.get("measure"), shown + "no such measure (`repose reference summary` lists them)");

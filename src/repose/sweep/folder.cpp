@@ -269,8 +269,8 @@ void SweepFolder::write(const SweepTable& table) const {
   write_sweep_file(path_ + "/sweep.h5", plan_, table);
   if (const auto drops = pool_drops(plan_, table); !drops.empty())
     write_text_file(path_ + "/drops.csv", drops_csv(drops));
-  const auto responses =
-      point_responses(plan_, table, [&](std::size_t member) { return read_last_state(member_path(members_[member])); });
+  const auto responses = point_responses(
+      plan_, table, [&](std::size_t member) { return read_last_state<2>(member_path(members_[member])); });
   if (responses.empty()) return;
   write_text_file(path_ + "/response.csv", response_csv(responses));
   write_text_file(path_ + "/response.json", response_json(responses));
@@ -289,12 +289,13 @@ std::size_t SweepFolder::analyse(const FurtherAnalysis& further) const {
     if (status.empty()) continue;
     const auto folder = member_path(member);
     const FolderLock lock(folder);
-    const auto record = read_record(folder);
-    // A sweep may compare methods, of which only that of rigid grains has a range.
-    auto of_member = further;
-    of_member.force_range &= record.scene.method->solver() != nullptr;
-    const auto results = repose::analyse(record, of_member);
-    write_results(folder, lock, record, results);
+    with_dimension(run_dimension(folder), [&](auto dimension) {
+      const auto record = read_record<dimension>(folder);
+      // A sweep may compare methods, of which only that of rigid grains has a range.
+      auto of_member = further;
+      of_member.force_range &= record.scene.method->solver() != nullptr;
+      write_results(folder, lock, record, repose::analyse(record, of_member));
+    });
     ++count;
   }
   write(table());

@@ -55,8 +55,9 @@ void keep(char* place, std::size_t room, const std::string& text) {
 }
 
 /// The folder and the simulation of a member: resumed from the last checkpoint of an interrupted run, or else new.
-std::unique_ptr<RunFolder> member_run(const std::string& path, const Scene& scene,
-                                      std::unique_ptr<Simulation>& simulation) {
+template <int D>
+std::unique_ptr<RunFolder<D>> member_run(const std::string& path, const Scene& scene,
+                                         std::unique_ptr<Simulation<D>>& simulation) {
   std::filesystem::create_directories(path);
   constexpr double patience = 5.0;  // [s] a member of a killed sweep may still hold the lock
   std::unique_ptr<FolderLock> lock;
@@ -65,19 +66,19 @@ std::unique_ptr<RunFolder> member_run(const std::string& path, const Scene& scen
   } catch (const InputError&) {
     ::_exit(is_in_use);
   }
-  simulation = std::make_unique<Simulation>(scene, 1);
+  simulation = std::make_unique<Simulation<D>>(scene, 1);
   std::vector<std::string> damaged;
   if (const auto checkpoint = Checkpoint::latest(path, damaged);
       checkpoint && checkpoint->scene() == scene_text(simulation->scene())) {
     try {
-      return std::make_unique<RunFolder>(path, *checkpoint, *simulation, std::move(lock));
+      return std::make_unique<RunFolder<D>>(path, *checkpoint, *simulation, std::move(lock));
     } catch (const InputError&) {  // the track is damaged: start again
       lock = std::make_unique<FolderLock>(path);
-      simulation = std::make_unique<Simulation>(scene, 1);
+      simulation = std::make_unique<Simulation<D>>(scene, 1);
     }
   }
   for (const auto& entry : std::filesystem::directory_iterator(path)) std::filesystem::remove_all(entry.path());
-  return std::make_unique<RunFolder>(path, *simulation, std::move(lock));
+  return std::make_unique<RunFolder<D>>(path, *simulation, std::move(lock));
 }
 
 }  // namespace
@@ -194,19 +195,22 @@ void Sweep::run_member(std::size_t member, Shared& shared) const {
   try {
     const auto& what = folder_.members()[member];
     const auto path = folder_.member_path(what);
-    std::unique_ptr<Simulation> simulation;
-    const auto run = member_run(path, folder_.scene_of(what), simulation);
-    simulation->observe_every(simulation->scene().output.series, [&](const Simulation& s) {
-      shared.fraction = std::clamp(s.grain_steps() / std::max(work_[member], 1.0), 0.0, 0.999);
+    const auto scene = folder_.scene_of(what);
+    with_dimension(scene.dimension, [&](auto dimension) {
+      std::unique_ptr<Simulation<dimension>> simulation;
+      const auto run = member_run(path, scene, simulation);
+      simulation->observe_every(scene.output.series, [&](const auto& s) {
+        shared.fraction = std::clamp(s.grain_steps() / std::max(work_[member], 1.0), 0.0, 0.999);
+      });
+      run->run(*simulation, stop_wanted);
+      if (simulation->status() == Status::interrupted) ::_exit(was_stopped);
+      run->write(*simulation);
+      if (simulation->status() == Status::failed) {
+        keep(shared.message, sizeof shared.message, simulation->message());
+      } else {
+        status = 0;
+      }
     });
-    run->run(*simulation, stop_wanted);
-    if (simulation->status() == Status::interrupted) ::_exit(was_stopped);
-    run->write(*simulation);
-    if (simulation->status() == Status::failed) {
-      keep(shared.message, sizeof shared.message, simulation->message());
-    } else {
-      status = 0;
-    }
   } catch (const std::exception& failure) {
     keep(shared.message, sizeof shared.message, message_of(failure));
   }

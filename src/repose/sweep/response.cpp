@@ -34,7 +34,7 @@ double width_of(const Scene& scene) { return scene.box.periodic() ? 2.0 * scene.
 double along(double x, double from, double width) { return width > 0.0 ? std::remainder(x - from, width) : x - from; }
 
 /// Position of the grain that will bear the load, in a bed without the load.
-Vec<2> loaded_place(const Record& record, const Scene::Load& load) {
+Vec<2> loaded_place(const Record<2>& record, const Scene::Load& load) {
   const double width = width_of(record.scene);
   Vec<2> nearest{{no_number, no_number}};
   double least = std::numeric_limits<double>::infinity();
@@ -144,7 +144,7 @@ double difference(const Samples& first, double first_force, const Samples& secon
 }  // namespace
 
 std::vector<PointResponse> point_responses(const SweepPlan& plan, const SweepTable& table,
-                                           const std::function<Record(std::size_t member)>& state) {
+                                           const std::function<Record<2>(std::size_t member)>& state) {
   std::vector<std::string> scenes;
   for (const auto& point : plan.points) scenes.push_back(without_loads(point.scene));
   const auto finished = [&](std::size_t point, std::int64_t seed) -> std::optional<std::size_t> {
@@ -182,7 +182,7 @@ std::vector<PointResponse> point_responses(const SweepPlan& plan, const SweepTab
     for (const auto seed : plan.seeds) {
       const auto bare = finished(without, seed);
       if (!bare || table.members[*bare].base.x.size() < 2) continue;
-      std::optional<Record> record;
+      std::optional<Record<2>> record;
       for (const auto p : points) {
         const auto loaded = finished(p, seed);
         if (!loaded || table.members[*loaded].base.x != table.members[*bare].base.x) continue;

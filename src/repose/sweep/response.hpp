@@ -45,7 +45,7 @@ struct PointResponse {
 /// Responses in the order of the plan; none where no points differ in a load alone. `state` gives the last state of a
 /// member by its number in the table.
 std::vector<PointResponse> point_responses(const SweepPlan& plan, const SweepTable& table,
-                                           const std::function<Record(std::size_t member)>& state);
+                                           const std::function<Record<2>(std::size_t member)>& state);
 
 /// One row per bin of each response; and everything else, one object per response.
 std::string response_csv(const std::vector<PointResponse>& responses);

@@ -5,6 +5,7 @@
 #include "repose/core/errors.hpp"
 #include "repose/core/version.hpp"
 #include "repose/io/whole_file.hpp"
+#include "repose/record/record_file.hpp"
 #include "repose/view/page.hpp"
 #include "repose/view/run_answers.hpp"
 
@@ -55,6 +56,7 @@ Json held(const Answer& answer) {
 }  // namespace
 
 ExportedPage exported_page(const std::string& folder, bool frames) {
+  refuse_spheres(folder, "a page");
   RunAnswers run(folder);
   auto keys = run.keys();
   if (!frames) keys = {"last"};

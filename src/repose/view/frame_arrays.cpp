@@ -65,7 +65,7 @@ void add_grains(Arrays& arrays, const OrderedGrains<2>& grains) {
   arrays.add("material", material);
 }
 
-void add_contacts(Arrays& arrays, const Moment& moment, bool forces) {
+void add_contacts(Arrays& arrays, const Moment<2>& moment, bool forces) {
   std::vector<std::uint32_t> pair, sliding;
   std::vector<float> normal, point, normal_force, tangential_force;
   const auto place = [&](std::int64_t id) { return static_cast<std::uint32_t>(*moment.grains.find(id)); };
@@ -94,7 +94,7 @@ void add_contacts(Arrays& arrays, const Moment& moment, bool forces) {
 
 }  // namespace
 
-std::string frame_arrays(const std::string& key, const Moment& moment, const std::vector<RecordedWall>& walls,
+std::string frame_arrays(const std::string& key, const Moment<2>& moment, const std::vector<RecordedWall<2>>& walls,
                          bool forces, Precision precision) {
   auto lines = Json::array();
   for (const auto& line : lines_of(walls, moment)) {

@@ -14,7 +14,7 @@ namespace repose {
 enum class Precision { full, packed };
 
 /// The arrays of one moment, with the walls that stand then.
-std::string frame_arrays(const std::string& key, const Moment& moment, const std::vector<RecordedWall>& walls,
+std::string frame_arrays(const std::string& key, const Moment<2>& moment, const std::vector<RecordedWall<2>>& walls,
                          bool forces, Precision precision = Precision::full);
 
 }  // namespace repose

@@ -21,8 +21,8 @@ namespace repose {
 
 namespace {
 
-Moment last_moment(const Record& run) {
-  Moment moment{run.facts.time, run.facts.steps, run.grains, {}};
+Moment<2> last_moment(const Record<2>& run) {
+  Moment<2> moment{run.facts.time, run.facts.steps, run.grains, {}};
   contacts_of(run).for_each(
       [&](const auto& block) { moment.contacts.list.insert(moment.contacts.list.end(), block.begin(), block.end()); });
   return moment;
@@ -30,7 +30,7 @@ Moment last_moment(const Record& run) {
 
 /// The box around the grains in contact, or around all where there is no contact: grains in flight do not widen it, nor
 /// do base grains beside the heap.
-void box_around(const Moment& moment, Vec<2>& low, Vec<2>& high) {
+void box_around(const Moment<2>& moment, Vec<2>& low, Vec<2>& high) {
   std::vector<char> in_contact(moment.grains.size(), 0);
   for (const auto& contact : moment.contacts.list) {
     for (const auto id : {contact.first, contact.second}) {
@@ -71,7 +71,7 @@ RunAnswers::Run RunAnswers::run() {
   if (version.empty()) throw InputError(fmt::format("{}: holds no run", folder_));
   const std::lock_guard lock(mutex_);
   if (run_ && version == version_) return run_;
-  auto fresh = std::make_shared<Record>(read_last_state(folder_));
+  auto fresh = std::make_shared<Record<2>>(read_last_state<2>(folder_));
   const Hdf5Reader file(path);
   check_belongs(file, fresh->facts);
   read_series(file, *fresh);
@@ -94,7 +94,7 @@ RunAnswers::Extent RunAnswers::extent_of(const std::string& name) {
   return extents_[name] = extent;
 }
 
-std::vector<std::string> RunAnswers::frames_before_the_last(const Record& run) {
+std::vector<std::string> RunAnswers::frames_before_the_last(const Record<2>& run) {
   std::vector<std::string> names;
   for (const auto& name : saved_frames(folder_)) {
     try {

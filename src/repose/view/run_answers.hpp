@@ -40,11 +40,11 @@ class RunAnswers {
     double time = 0.0;
     Vec<2> low{}, high{};
   };
-  using Run = std::shared_ptr<const Record>;
+  using Run = std::shared_ptr<const Record<2>>;
 
   Run run();                                  // the last state with the series, read again when run.h5 has changed
   Extent extent_of(const std::string& name);  // of a saved frame
-  std::vector<std::string> frames_before_the_last(const Record& run);
+  std::vector<std::string> frames_before_the_last(const Record<2>& run);
   std::string run_text();
   std::string series();
   std::string base();

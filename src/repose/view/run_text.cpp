@@ -30,7 +30,7 @@ Json units_of(const Scene& scene) {
           {"speed", "√(g d)"}, {"energy", "m g d"}, {"pressure", "m g/d"}};
 }
 
-double mean_force(const Record& run) {
+double mean_force(const Record<2>& run) {
   double sum = 0.0;
   std::size_t count = 0;
   for (const auto& contact : run.contacts.list) {
@@ -42,7 +42,7 @@ double mean_force(const Record& run) {
 }
 
 /// The avalanches that the analysis of this state found.
-Json avalanches_of(const std::string& folder, const Record& run) {
+Json avalanches_of(const std::string& folder, const Record<2>& run) {
   auto list = Json::array();
   const auto path = folder + "/analysis.h5";
   if (!path_exists(path)) return list;
@@ -65,7 +65,7 @@ bool analysis_has(const std::string& folder, const std::string& name) try {
 }
 
 /// The avalanches, or none where analysis.h5 is being written or is damaged: the run can be seen all the same.
-Json readable_avalanches(const std::string& folder, const Record& run) try {
+Json readable_avalanches(const std::string& folder, const Record<2>& run) try {
   return avalanches_of(folder, run);
 } catch (const InputError&) {
   return Json::array();
@@ -73,7 +73,7 @@ Json readable_avalanches(const std::string& folder, const Record& run) try {
 
 }  // namespace
 
-std::string describe_run(const std::string& folder, const Record& run, const std::vector<FrameTime>& frames,
+std::string describe_run(const std::string& folder, const Record<2>& run, const std::vector<FrameTime>& frames,
                          const RunBox& box) {
   const auto& scene = run.scene;
   const auto& facts = run.facts;

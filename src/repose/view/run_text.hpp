@@ -21,7 +21,7 @@ struct RunBox {
 };
 
 /// What a run is, as JSON: `api/run` of docs/reference/view.md.
-std::string describe_run(const std::string& folder, const Record& run, const std::vector<FrameTime>& frames,
+std::string describe_run(const std::string& folder, const Record<2>& run, const std::vector<FrameTime>& frames,
                          const RunBox& box);
 
 }  // namespace repose

@@ -17,7 +17,7 @@ std::vector<float> each(const Rows& rows, Get get) {
   return values;
 }
 
-void add_walls(ArrayMessage& message, const Record& run) {
+void add_walls(ArrayMessage& message, const Record<2>& run) {
   const auto walls = run.walls.size();
   for (std::size_t w = 0; w < walls && !run.wall_series.empty(); ++w) {
     const auto column = [&](const char* name, auto get) {
@@ -27,16 +27,16 @@ void add_walls(ArrayMessage& message, const Record& run) {
       }
       message.add(std::string(name) + ":" + run.walls[w].name, values);
     };
-    column("wall_force_x", [](const WallRow& row) { return row.force[0]; });
-    column("wall_force_y", [](const WallRow& row) { return row.force[1]; });
+    column("wall_force_x", [](const WallRow<2>& row) { return row.force[0]; });
+    column("wall_force_y", [](const WallRow<2>& row) { return row.force[1]; });
     if (run.walls[w].wall.motion.kind != WallMotion<2>::Kind::none)
-      column("wall_displacement", [](const WallRow& row) { return row.displacement; });
+      column("wall_displacement", [](const WallRow<2>& row) { return row.displacement; });
   }
 }
 
 }  // namespace
 
-std::string series_arrays(const Record& run) {
+std::string series_arrays(const Record<2>& run) {
   ArrayMessage message(nlohmann::ordered_json::object());
   const auto& rows = run.series;
   message.add("time", each(rows, [](const auto& row) { return row.time; }));

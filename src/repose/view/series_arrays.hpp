@@ -9,6 +9,6 @@
 namespace repose {
 
 /// The time series of a run as arrays: `api/series` of docs/reference/view.md.
-std::string series_arrays(const Record& run);
+std::string series_arrays(const Record<2>& run);
 
 }  // namespace repose

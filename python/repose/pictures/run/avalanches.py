@@ -57,10 +57,12 @@ def _moved(axes, motion, avalanches):
 
 
 def _angles(axes, motion):
-    for side, colour in FLANKS:
-        axes.plot(motion["end"], motion[f"angle_{side}"], color=colour, linewidth=0.8, label=f"{side} flank")
+    shown = [(f"angle_{side}", f"{side} flank", colour) for side, colour in FLANKS]
+    shown = [each for each in shown if each[0] in motion] or [("angle", "cone", style.ORANGE)]
+    for name, label, colour in shown:
+        axes.plot(motion["end"], motion[name], color=colour, linewidth=0.8, label=label)
     axes.set_ylabel("surface angle\n(deg)")
-    angles = np.array([motion[f"angle_{side}"] for side, _ in FLANKS])
+    angles = np.array([motion[name] for name, _, _ in shown])
     angles = angles[np.isfinite(angles)]
     if len(angles):
         low, high = min(0.0, angles.min()), max(1.0, angles.max())

@@ -23,20 +23,28 @@ def draw(run, state):
     """Figure of the last state, and of means over output.window."""
     column = analysis_table(run, state, "column", NO_COLUMN)
     largest = largest_of(run, state)
-    rows = 3 if _allowed_load(run) is None else 4
-    panel = make_panels(run, state, [rows * LEGEND_ROW], beside=BESIDE)[0]
+    panel = make_panels(run, state, [legend_rows(run) * LEGEND_ROW], beside=BESIDE)[0]
     add_network(panel, run, state, largest)
+    draw_beside(panel, run, column, _law(run, column), floor_height(run, state))
+    return panel.figure
+
+
+def legend_rows(run):
+    """Rows of legends above the panels."""
+    return 3 if _allowed_load(run) is None else 4
+
+
+def draw_beside(panel, run, column, law, floor):
+    """Stresses by height beside a panel of grains, with their legends above it. `floor` [L] is where heights count from."""
     figure = panel.figure
     place = panel.axes.get_position()
     width = figure.get_figwidth()
     left = place.x1 + GAP / width
     axes = figure.add_axes([left, place.y0, 1.0 - RIGHT / width - left, place.height], sharey=panel.axes)
     axes.tick_params(labelleft=False)
-    floor = floor_height(run, state)
     units = style.units_of(run)
     handles = _draw_slices(axes, column, floor)
     legend_above(panel, handles, _window(run, units), LEGEND_ROW)
-    law = _law(run, column)
     if law.known:
         _draw_law(panel, axes, law, floor)
     allowed = _allowed_load(run)
@@ -46,7 +54,6 @@ def draw(run, state):
     axes.axvline(0.0, color=style.FAINT, linewidth=0.6, zorder=0)
     axes.locator_params(axis="x", nbins=6)
     axes.set_xlabel(units.stress("stress"))
-    return figure
 
 
 def _window(run, units):

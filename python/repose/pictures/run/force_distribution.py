@@ -38,7 +38,7 @@ def draw(run, state):
     axes.set_ylabel("probability density P(f)")
     axes.legend(loc="upper right")
     style.fit(figure, (0.0, 0.0, 1.0, 0.94))
-    style.caption(figure, "bars: √(count); " + _mean_and_fractions(forces, run.summary, style.units_of(run)))
+    style.caption(figure, "bars: √(count); " + _mean_and_fractions(forces, run))
     return figure
 
 
@@ -47,9 +47,11 @@ def exponential(f, least):
     return np.exp(-(f - least) / (1.0 - least)) / (1.0 - least)
 
 
-def _mean_and_fractions(forces, summary, units):
+def _mean_and_fractions(forces, run):
     mean = forces.attributes["mean"]
-    parts = [f"mean {mean:.3g} {units.force_word()}"] if np.isfinite(mean) else []
-    known = summary.get("forces") or {}
+    if run.attributes["dimension"] == 3:  # there it is in M L/T^2
+        mean = mean / (run.attributes["grain_weight"] or 1.0)
+    parts = [f"mean {mean:.3g} {style.units_of(run).force_word()}"] if np.isfinite(mean) else []
+    known = run.summary.get("forces") or {}
     parts += [f"{100.0 * known[key]:.1f} % {name}" for key, name in FRACTIONS if known.get(key) is not None]
     return "; ".join(parts)

@@ -36,19 +36,21 @@ def _unit(run):
 
 def add_network(panel, run, state, largest):
     """Walls, grains and forces of a state, with their legend above the axes."""
-    force = np.nan_to_num(state.contacts.normal_force / _unit(run))
-    lines, contact = centre_lines(run, state)
     held = state.grains.held
     add_walls(panel, run, state)
     add_discs(panel, run, state, ~held, facecolor="#eff1f4", edgecolor="#d3d8df", linewidth=0.25)
     add_discs(panel, run, state, held, facecolor=style.FAINT, edgecolor="white", linewidth=0.25)
+    add_force_lines(panel, run, state, *centre_lines(run, state), largest)
 
+
+def add_force_lines(panel, run, state, lines, contact, largest):
+    """Lines (K, 2, 2) [L] of the forces in the contacts of these rows (K), with their legend above the axes."""
+    force = np.nan_to_num(state.contacts.normal_force[contact] / _unit(run))
     widest = widest_line(run, panel)
     level = levels_of(np.abs(force), largest)
     handles = []
-    for chosen, colour, name in _kinds(force, state.contacts.sliding):
-        drawn = chosen[contact]
-        add_forces(panel, lines[drawn], level[contact][drawn], widest, colour)
+    for chosen, colour, name in _kinds(force, state.contacts.sliding[contact]):
+        add_forces(panel, lines[chosen], level[chosen], widest, colour)
         if (chosen & (level > 0)).any() and name:
             handles.append(handle_of_force(colour, 0.4 * widest, name))
     title = "normal force in grain weights" if run.attributes["grain_weight"] > 0.0 else "normal force"

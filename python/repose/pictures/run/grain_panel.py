@@ -49,31 +49,39 @@ def make_panels(run, state, legend_heights, below=0.0, beside=0.0):
         AXES_HEIGHT / len(legend_heights) / (box.y_max - box.y_min),
         LARGEST_GRAIN / run.attributes["grain_diameter"],
     )
-    least_width = LEAST_AXES_WIDTH - beside
     if not run.attributes["periodic"]:
-        box = Box(*_widened(box.x_min, box.x_max, least_width / scale), box.y_min, box.y_max)
-    axes_width, axes_height = (box.x_max - box.x_min) * scale, (box.y_max - box.y_min) * scale
-    width = LEFT + max(axes_width, least_width) + RIGHT + beside
-    height = TOP + sum(legend_heights) + len(legend_heights) * (axes_height + BOTTOM) + below
-    figure = Figure(figsize=(width, height))
-    panels, top = [], TOP
-    for legend_height in legend_heights:
-        low = height - top - legend_height - axes_height
-        axes = figure.add_axes([LEFT / width, low / height, axes_width / width, axes_height / height])
-        _set_limits_and_labels(axes, run, state, box, axes_width, axes_height)
-        panels.append(GrainPanel(figure, axes, box, scale * 72.0, top))
-        top += legend_height + axes_height + BOTTOM
-    style.caption(figure, _grains_and_time(run, state, box))
+        box = widened(box, (LEAST_AXES_WIDTH - beside) / scale)
+    panels = stack_panels(run, state, [(box, "xy")] * len(legend_heights), scale, legend_heights, below, beside)
+    style.caption(panels[0].figure, grains_and_time(run, state, box.near(wrapped(run, state.grains.position), 0.0)))
     return panels
 
 
-def _widened(low, high, width):
-    """The interval, widened about its middle to at least `width`."""
-    missing = max(0.0, width - (high - low))
-    return low - 0.5 * missing, high + 0.5 * missing
+def stack_panels(run, state, views, scale, legend_heights, below=0.0, beside=0.0, left=LEFT):
+    """A figure with a panel of `scale` [inch per L] for each view, one below the other, `left` [inch] from its edge. A view is a
+    box and the names of its axes; all have the same width."""
+    least_width = LEAST_AXES_WIDTH - beside
+    axes_width = (views[0][0].x_max - views[0][0].x_min) * scale
+    heights = [(box.y_max - box.y_min) * scale for box, _ in views]
+    width = left + max(axes_width, least_width) + RIGHT + beside
+    height = TOP + sum(legend_heights) + sum(axes_height + BOTTOM for axes_height in heights) + below
+    figure = Figure(figsize=(width, height))
+    panels, top = [], TOP
+    for (box, names), axes_height, legend_height in zip(views, heights, legend_heights):
+        low = height - top - legend_height - axes_height
+        axes = figure.add_axes([left / width, low / height, axes_width / width, axes_height / height])
+        _set_limits_and_labels(axes, run, state, box, names, axes_width, axes_height)
+        panels.append(GrainPanel(figure, axes, box, scale * 72.0, top))
+        top += legend_height + axes_height + BOTTOM
+    return panels
 
 
-def _set_limits_and_labels(axes, run, state, box, width, height):
+def widened(box, width):
+    """The box, widened about its middle to at least `width` [L]."""
+    missing = max(0.0, width - (box.x_max - box.x_min))
+    return Box(box.x_min - 0.5 * missing, box.x_max + 0.5 * missing, box.y_min, box.y_max)
+
+
+def _set_limits_and_labels(axes, run, state, box, names, width, height):
     if len(state.grains) > MOST_VECTOR_GRAINS:
         axes.set_rasterization_zorder(1.5)  # between the collections and the lines
     axes.set_xlim(box.x_min, box.x_max)
@@ -81,14 +89,14 @@ def _set_limits_and_labels(axes, run, state, box, width, height):
     axes.locator_params(axis="y", nbins=max(2, min(8, int(height / 0.35))), steps=[1, 2, 5, 10])
     axes.locator_params(axis="x", nbins=max(2, min(10, int(width / 0.6))), steps=[1, 2, 5, 10])
     units = style.units_of(run)
-    axes.set_xlabel(units.length("x"))
-    axes.set_ylabel(units.length("y"))
+    axes.set_xlabel(units.length(names[0]))
+    axes.set_ylabel(units.length(names[1]))
 
 
-def _grains_and_time(run, state, box):
-    """Caption of a panel."""
+def grains_and_time(run, state, inside):
+    """Caption of a picture of grains, of which those `inside` (N, bool) are in it."""
     moving = ~state.grains.held
-    outside = np.count_nonzero(moving & ~box.near(wrapped(run, state.grains.position), 0.0))
+    outside = np.count_nonzero(moving & ~inside)
     count = np.count_nonzero(moving)
     text = f"{count} {'grain' if count == 1 else 'grains'}"
     if outside:

@@ -7,7 +7,7 @@ from matplotlib.collections import PathCollection, PolyCollection
 from matplotlib.path import Path
 
 from repose import style
-from repose.pictures.run.visible_box import wrapped
+from repose.pictures.run.visible_box import periodic_sides, wrapped
 
 SHAPES_PER_PATH = 500
 
@@ -112,7 +112,7 @@ def turned(vectors, angles):
 
 
 def centre_lines(run, state):
-    """Lines (K, 2, 2) [L] from the first grain of a contact to the second, and the row of the contact of each (K).
+    """Lines (K, 2, D) [L] from the first grain of a contact to the second, and the row of the contact of each (K).
 
     The line of a contact with a wall ends on the wall. A contact across a periodic side has two lines, one from each
     grain, which end beyond the side.
@@ -125,11 +125,10 @@ def centre_lines(run, state):
     end = start - contacts.normal * grains.radius[first, None]
     end[~with_wall] = centre[state.rows(contacts.grains[~with_wall, 1])]
     lines, contact = np.stack([start, end], axis=1), np.arange(len(contacts))
-    if not run.attributes["periodic"]:
-        return lines, contact
-    period = run.attributes["x_max"] - run.attributes["x_min"]
     shift = np.zeros_like(lines)
-    shift[:, 1, 0] = -period * np.round((end - start)[:, 0] / period)
-    across = shift[:, 1, 0] != 0.0
+    for axis, low, high in periodic_sides(run):
+        period = high - low
+        shift[:, 1, axis] = -period * np.round((end - start)[:, axis] / period)
+    across = (shift[:, 1] != 0.0).any(axis=1)
     shift_back = -shift[across][:, ::-1]
     return np.concatenate([lines + shift, lines[across] + shift_back]), np.append(contact, contact[across])

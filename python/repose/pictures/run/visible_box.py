@@ -37,6 +37,14 @@ class Box:
             & (y <= self.y_max + reach)
         )
 
+    @classmethod
+    def around(cls, boxes):
+        """The smallest box that holds all of them."""
+        low, high = (
+            [edge(getattr(box, f"{side}_{end}") for box in boxes) for side in "xy"] for edge, end in ((min, "min"), (max, "max"))
+        )
+        return cls(low[0], high[0], low[1], high[1])
+
 
 def supported(state):
     """Moving grains (N, bool) that a chain of contacts links to the base or a wall; without those, all in contact."""
@@ -55,12 +63,22 @@ def supported(state):
     return linked & ~held
 
 
+def periodic_sides(run):
+    """(axis, low, high) of each periodic axis of the box, [L]."""
+    sides = (("periodic", "x"), ("periodic_y", "y"))
+    return [
+        (axis, run.attributes[f"{name}_min"], run.attributes[f"{name}_max"])
+        for axis, (flag, name) in enumerate(sides)
+        if run.attributes.get(flag)
+    ]
+
+
 def wrapped(run, positions):
-    """Positions (N, 2) [L] with x brought into the box where it is periodic."""
-    if not run.attributes["periodic"]:
-        return positions
-    low, high = run.attributes["x_min"], run.attributes["x_max"]
-    return np.column_stack([low + (positions[:, 0] - low) % (high - low), positions[:, 1]])
+    """Positions (N, D) [L] brought into the box along its periodic axes."""
+    for axis, low, high in periodic_sides(run):
+        positions = np.array(positions, dtype=float)
+        positions[:, axis] = low + (positions[:, axis] - low) % (high - low)
+    return positions
 
 
 def visible_box(run, state):
@@ -72,30 +90,34 @@ def visible_box(run, state):
     diameter = run.attributes["grain_diameter"]
     centre, radius = wrapped(run, grains.position), grains.radius
     finite = np.isfinite(centre).all(axis=1)  # a failed run may have lost its grains to infinity
-    for shown in (supported(state) & finite, ~grains.held & finite, finite):
-        if shown.any():
-            break
-    else:
-        raise NotDrawn("no grains")
-    shown = np.flatnonzero(shown)
+    shown = shown_grains(state, finite)
     if run.attributes["periodic"]:
         x_min, x_max = run.attributes["x_min"], run.attributes["x_max"]
     else:
-        shown = _largest_group(shown, centre[:, 0], WIDEST_GAP * diameter)
+        shown = largest_group(shown, centre[:, 0], WIDEST_GAP * diameter)
         x_min = (centre[shown, 0] - radius[shown]).min() - SIDE_MARGIN * diameter
         x_max = (centre[shown, 0] + radius[shown]).max() + SIDE_MARGIN * diameter
     below = grains.held & (centre[:, 0] >= x_min) & (centre[:, 0] <= x_max)
     below[shown] = True
     y_min = (centre[below, 1] - radius[below]).min() - MARGIN * diameter
     bed = ~grains.held & finite & (centre[:, 0] >= x_min) & (centre[:, 0] <= x_max)
-    bed &= centre[:, 1] <= _top_of_bed(centre[shown, 1].max(), centre[bed, 1], WIDEST_STEP * diameter)
+    bed &= centre[:, 1] <= top_of_bed(centre[shown, 1].max(), centre[bed, 1], WIDEST_STEP * diameter)
     bed[shown] = True
     y_max = (centre[bed, 1] + radius[bed]).max() + MARGIN * diameter
     y_max = max(y_max, y_min + LEAST_HEIGHT * diameter, y_min + (x_max - x_min) / WIDEST_SHAPE)
     return Box(x_min, x_max, y_min, y_max)
 
 
-def _top_of_bed(top, heights, gap):
+def shown_grains(state, finite):
+    """Rows of the grains that a picture is about, among the `finite` (N, bool): those that are supported, without any the
+    moving ones, without these all."""
+    for shown in (supported(state) & finite, ~state.grains.held & finite, finite):
+        if shown.any():
+            return np.flatnonzero(shown)
+    raise NotDrawn("no grains")
+
+
+def top_of_bed(top, heights, gap):
     """The height that is reached from `top` by steps of at most `gap` to the next of `heights`."""
     for height in np.sort(heights[heights > top]):
         if height > top + gap:
@@ -104,7 +126,7 @@ def _top_of_bed(top, heights, gap):
     return top
 
 
-def _largest_group(rows, x, gap):
+def largest_group(rows, x, gap):
     """The largest subset of `rows` whose neighbours in x lie within `gap` of each other."""
     ordered = rows[np.argsort(x[rows])]
     groups = np.split(ordered, np.flatnonzero(np.diff(x[ordered]) > gap) + 1)

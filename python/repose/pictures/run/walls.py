@@ -19,7 +19,8 @@ def draw(run, state):
     force = run.series.get("wall_force_x")
     if force is None or len(force) < 2:
         raise NotDrawn("the run has no walls, or fewer than two rows in its time series")
-    force = np.stack([force, run.series["wall_force_y"]], axis=-1)  # (rows, walls, 2)
+    axes_of_space = "xyz"[: run.attributes["dimension"]]
+    force = np.stack([run.series[f"wall_force_{axis}"] for axis in axes_of_space], axis=-1)  # (rows, walls, D)
     displacement = run.series["wall_displacement"]
     straight = np.any(run.walls["direction"] != 0.0, axis=1)  # others turn about a centre, or their surface runs
     moving = straight & (np.abs(displacement).max(axis=0) > 0.0)
@@ -53,4 +54,5 @@ def draw(run, state):
 def _normals(run, wall, angle):
     """The unit normal of a wall that moves along no direction, at each row (rows, 2); the file has that of the last."""
     normals = np.tile(run.walls["normal"][wall], (len(angle), 1))
-    return turned(normals, angle - angle[-1]) if run.walls["rotates"][wall] else normals
+    turns = run.walls["rotates"][wall] and run.attributes["dimension"] == 2
+    return turned(normals, angle - angle[-1]) if turns else normals

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from repose import style
 from repose.errors import NotDrawn
-from repose.pictures.run import RUN_PICTURES
+from repose.pictures import pictures_of_run
 from repose.pictures.study import base, claims, grains, measure, model, polar
 from repose.pictures.sweep import SWEEP_PICTURES
 
@@ -63,11 +63,11 @@ def _caption(study):
 def _picture(study):
     """A standard picture, of a run where a point is named."""
     name, point = study.figure["picture"], study.figure.get("point")
-    known = RUN_PICTURES if point else SWEEP_PICTURES
+    run = study.run(point, study.figure.get("seed")) if point else None
+    known = pictures_of_run(run) if run else SWEEP_PICTURES
     if name not in known:
         raise NotDrawn(f"no picture \"{name}\"; there are {', '.join(known)}")
-    if point:
-        run = study.run(point, study.figure.get("seed"))
+    if run:
         return known[name](run, run.state)
     figures = known[name](study.sweep)
     return figures[min(study.figure.get("part", 0), len(figures) - 1)]

@@ -5,6 +5,7 @@
 #include "repose/core/parameters.hpp"
 #include "repose/core/vec.hpp"
 #include "repose/laws/displacement.hpp"
+#include "repose/laws/inertia.hpp"
 #include "repose/laws/scales.hpp"
 #include "repose/laws/tangential/limit.hpp"
 #include "repose/laws/touch.hpp"
@@ -18,7 +19,8 @@ namespace repose {
 /// A torque mu_r R N against the rolling, whatever its velocity v_r. Below the small velocity `full_at` the torque is
 /// proportional to v_r, since one that only changes its sign at rest would shake grains. So a contact at rest carries
 /// no torque: grains creep at up to `full_at` where a spring would hold them. A disc that rolls on a plane slows down
-/// by 2/3 mu_r g. Source: model A of Ai et al. (2011). Validated by tests/unit/rolling_test.cpp (deceleration, creep).
+/// by 2/3 mu_r g, a sphere by 5/7 mu_r g. Source: model A of Ai et al. (2011).
+/// Validated by tests/unit/rolling_test.cpp (deceleration, creep).
 struct RollingConstant {
   double friction = 0.1;  ///< mu_r >= 0
   double full_at = 0.01;  ///< [L/T] > 0
@@ -33,7 +35,7 @@ inline void parameters(RollingConstant& law, Parameters& to, const LawScales& sc
 }
 
 /// None: the slope of the torque is that of a dashpot, which the step of a dense bed takes into account.
-inline double surface_stiffness(const RollingConstant&, double, double) { return 0.0; }
+inline double surface_stiffness(const RollingConstant&, double, double, const Inertia&) { return 0.0; }
 
 template <class T, class Tangential>
 REPOSE_FN Tangential rolling_force(const RollingConstant& law, const Touch<T>&, const NormalForce<T>& normal,

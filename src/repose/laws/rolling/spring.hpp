@@ -4,6 +4,7 @@
 
 #include "repose/core/parameters.hpp"
 #include "repose/core/vec.hpp"
+#include "repose/laws/inertia.hpp"
 #include "repose/laws/scales.hpp"
 #include "repose/laws/tangential/slider.hpp"
 #include "repose/laws/touch.hpp"
@@ -35,8 +36,11 @@ inline void parameters(RollingSpring& law, Parameters& to, const LawScales& scal
   to.number("damping", law.damping, 0.3, not_negative, "", "fraction of critical damping");
 }
 
-/// The effective stiffness [M/T^2] for the time step: a disc has I = m R^2 / 2, and both discs may rotate.
-inline double surface_stiffness(const RollingSpring& law, double, double) { return 4.0 * law.stiffness; }
+/// The effective stiffness [M/T^2] for the time step: k_r m R^2 / I for each of two grains, which may both rotate; for
+/// discs 4 k_r.
+inline double surface_stiffness(const RollingSpring& law, double, double, const Inertia& inertia) {
+  return 2.0 * inertia.inverse * law.stiffness;
+}
 
 /// The torque divided by the roll radius [M L/T^2]. Advances the rolling displacement `roll` [L] by dt at the roll
 /// velocity [L/T].
@@ -44,7 +48,8 @@ template <class T, class Tangential>
 REPOSE_FN Tangential rolling_force(const RollingSpring& law, const Touch<T>& touch, const NormalForce<T>& normal,
                                    const Tangential& roll_velocity, const std::type_identity_t<T>& dt,
                                    Tangential& roll) {
-  const T dashpot = (2.0 * law.damping * root(0.5 * law.stiffness)) * root(touch.mass);
+  constexpr double inertia = 1.0 / inertia_of<dimension_of_tangent<Tangential>>.inverse;
+  const T dashpot = (2.0 * law.damping * root(inertia * law.stiffness)) * root(touch.mass);
   return slider_force(T(law.stiffness), T(1.0 / law.stiffness), dashpot, law.friction * positive_part(normal.total),
                       roll_velocity, dt, roll);
 }

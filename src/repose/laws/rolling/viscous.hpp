@@ -5,6 +5,7 @@
 #include "repose/core/parameters.hpp"
 #include "repose/core/vec.hpp"
 #include "repose/laws/displacement.hpp"
+#include "repose/laws/inertia.hpp"
 #include "repose/laws/scales.hpp"
 #include "repose/laws/tangential/limit.hpp"
 #include "repose/laws/touch.hpp"
@@ -15,7 +16,8 @@ namespace repose {
 
 /// Resistance proportional to the rolling velocity: the torque over R is -b m_red v_r, at most mu_r N. It carries no
 /// torque at rest, so a disc rolls down any slope. A disc on a plane, which rolls without sliding, slows down as
-/// exp(-2/3 b t). Source: model B of Ai et al. (2011). Validated by tests/unit/rolling_test.cpp (decay, limit).
+/// exp(-2/3 b t), a sphere as exp(-5/7 b t). Source: model B of Ai et al. (2011). Validated by
+/// tests/unit/rolling_test.cpp (decay, limit).
 struct RollingViscous {
   double friction = 0.1;  ///< mu_r >= 0
   double rate = 1.0;      ///< [1/T] b > 0
@@ -28,10 +30,11 @@ inline void parameters(RollingViscous& law, Parameters& to, const LawScales&) {
   to.number("rate", law.rate, required, positive, "1/T", "torque over R, reduced mass and rolling velocity");
 }
 
-/// The stiffness [M/T^2], for the time step, of a spring as fast as the dashpot: the spin of a disc (I = m R^2 / 2)
-/// decays at the rate 2 b.
-inline double surface_stiffness(const RollingViscous& law, double /*normal_stiffness*/, double mass) {
-  return mass * 4.0 * law.rate * law.rate;
+/// The stiffness [M/T^2], for the time step, of a spring as fast as the dashpot: the spin decays at the rate b m R^2 /
+/// I, that of a disc at 2 b.
+inline double surface_stiffness(const RollingViscous& law, double /*normal_stiffness*/, double mass,
+                                const Inertia& inertia) {
+  return mass * (inertia.inverse * inertia.inverse) * law.rate * law.rate;
 }
 
 template <class T, class Tangential>

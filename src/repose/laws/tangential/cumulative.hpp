@@ -4,6 +4,7 @@
 
 #include "repose/core/parameters.hpp"
 #include "repose/core/vec.hpp"
+#include "repose/laws/inertia.hpp"
 #include "repose/laws/scales.hpp"
 #include "repose/laws/tangential/limit.hpp"
 #include "repose/laws/touch.hpp"
@@ -38,7 +39,7 @@ inline void parameters(Cumulative& law, Parameters& to, const LawScales& scales)
 
 /// No stiffness beside the normal one limits the time step: the law's slope follows the normal stiffness and stays
 /// below it.
-inline double surface_stiffness(const Cumulative&, double, double) { return 0.0; }
+inline double surface_stiffness(const Cumulative&, double, double, const Inertia&) { return 0.0; }
 
 /// The tangential force [M L/T^2]. Advances the slip displacement `slip` [L] by one step at the slip velocity [L/T].
 /// `normal` is the normal force at the same time.

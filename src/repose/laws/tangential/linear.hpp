@@ -4,6 +4,7 @@
 
 #include "repose/core/parameters.hpp"
 #include "repose/core/vec.hpp"
+#include "repose/laws/inertia.hpp"
 #include "repose/laws/scales.hpp"
 #include "repose/laws/tangential/slider.hpp"
 #include "repose/laws/touch.hpp"
@@ -31,10 +32,11 @@ inline void parameters(Linear& law, Parameters& to, const LawScales& scales) {
   law.friction = scales.friction;
 }
 
-/// The effective stiffness [M/T^2] for the time step: 3 k_t, since a force at the rim of a free disc meets a third of
-/// the mass (it also rotates the disc).
-inline double surface_stiffness(const Linear& law, double /*normal_stiffness*/, double /*mass*/) {
-  return 3.0 * law.stiffness;
+/// The effective stiffness [M/T^2] for the time step, k_t (1 + m R^2 / I): a force at the rim of a free disc meets a
+/// third of its mass, since it also rotates the disc.
+inline double surface_stiffness(const Linear& law, double /*normal_stiffness*/, double /*mass*/,
+                                const Inertia& inertia) {
+  return inertia.at_rim() * law.stiffness;
 }
 
 template <class T, class Tangential>

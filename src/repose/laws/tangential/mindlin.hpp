@@ -5,6 +5,7 @@
 #include "repose/core/parameters.hpp"
 #include "repose/core/vec.hpp"
 #include "repose/laws/displacement.hpp"
+#include "repose/laws/inertia.hpp"
 #include "repose/laws/scales.hpp"
 #include "repose/laws/tangential/slider.hpp"
 #include "repose/laws/touch.hpp"
@@ -38,8 +39,9 @@ inline void parameters(Mindlin& law, Parameters& to, const LawScales& scales) {
   law.friction = scales.friction;
 }
 
-inline double surface_stiffness(const Mindlin& law, double normal_stiffness, double /*mass*/) {
-  return 3.0 * law.ratio * normal_stiffness;
+/// As of the linear law, with the stiffness of the largest normal load.
+inline double surface_stiffness(const Mindlin& law, double normal_stiffness, double /*mass*/, const Inertia& inertia) {
+  return inertia.at_rim() * law.ratio * normal_stiffness;
 }
 
 template <class T, class Tangential>

@@ -5,6 +5,7 @@
 #include "repose/core/inline.hpp"
 #include "repose/core/parameters.hpp"
 #include "repose/laws/displacement.hpp"
+#include "repose/laws/inertia.hpp"
 #include "repose/laws/scales.hpp"
 #include "repose/laws/touch.hpp"
 
@@ -20,7 +21,7 @@ struct None {
 
 inline void parameters(None&, Parameters&, const LawScales&) {}
 
-inline double surface_stiffness(const None&, double, double) { return 0.0; }
+inline double surface_stiffness(const None&, double, double, const Inertia&) { return 0.0; }
 
 template <class T, class Tangential>
 REPOSE_FN Tangential tangential_force(const None&, const Touch<T>&, const NormalForce<T>&, const Tangential&,

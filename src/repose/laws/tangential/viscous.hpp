@@ -5,6 +5,7 @@
 #include "repose/core/parameters.hpp"
 #include "repose/core/vec.hpp"
 #include "repose/laws/displacement.hpp"
+#include "repose/laws/inertia.hpp"
 #include "repose/laws/scales.hpp"
 #include "repose/laws/tangential/limit.hpp"
 #include "repose/laws/touch.hpp"
@@ -29,10 +30,12 @@ inline void parameters(Viscous& law, Parameters& to, const LawScales& scales) {
   law.friction = scales.friction;
 }
 
-/// The stiffness [M/T^2], for the time step, of a spring as fast as the dashpot: at the rim of a free disc, which has a
-/// third of its mass, the slip velocity decays at the rate 3/2 d.
-inline double surface_stiffness(const Viscous& law, double /*normal_stiffness*/, double mass) {
-  return mass * 2.25 * law.rate * law.rate;
+/// The stiffness [M/T^2], for the time step, of a spring as fast as the dashpot. At the rim, where a free grain has the
+/// mass m / (1 + m R^2 / I), that of a pair decays the slip velocity at half of the rate d (1 + m R^2 / I); 3/2 d for
+/// discs.
+inline double surface_stiffness(const Viscous& law, double /*normal_stiffness*/, double mass, const Inertia& inertia) {
+  const double decay = 0.5 * inertia.at_rim();
+  return mass * (decay * decay) * law.rate * law.rate;
 }
 
 template <class T, class Tangential>

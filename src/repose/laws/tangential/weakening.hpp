@@ -4,6 +4,7 @@
 
 #include "repose/core/parameters.hpp"
 #include "repose/core/vec.hpp"
+#include "repose/laws/inertia.hpp"
 #include "repose/laws/scales.hpp"
 #include "repose/laws/tangential/slider.hpp"
 #include "repose/laws/touch.hpp"
@@ -47,8 +48,9 @@ inline void parameters(Weakening& law, Parameters& to, const LawScales& scales) 
 }
 
 /// As of the linear law.
-inline double surface_stiffness(const Weakening& law, double /*normal_stiffness*/, double /*mass*/) {
-  return 3.0 * law.stiffness;
+inline double surface_stiffness(const Weakening& law, double /*normal_stiffness*/, double /*mass*/,
+                                const Inertia& inertia) {
+  return inertia.at_rim() * law.stiffness;
 }
 
 template <class T, class Tangential>

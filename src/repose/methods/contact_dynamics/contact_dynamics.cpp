@@ -395,6 +395,7 @@ void ContactDynamics<D>::set_slip_displacements(const Grains<D>& grains, const C
     line.second = contact.second >= 0
                       ? second->second
                       : static_cast<std::uint32_t>(static_cast<std::int64_t>(grains.size()) - 1 - contact.second);
+    line.normal = contact.normal;
     line.impulse.normal = contact.normal_force * settings_.time_step;
     line.impulse.tangent = contact.tangential_force * settings_.time_step;
     line.impulse.roll = contact.rolling * settings_.time_step;

@@ -14,8 +14,9 @@
 
 namespace repose {
 
-/// Contact dynamics: rigid grains whose contacts obey Signorini's condition, Coulomb's law and rolling friction at the
-/// end of each step, by implicit time stepping. Velocities are those half a step before the positions.
+/// Contact dynamics: rigid grains whose contacts obey Signorini's condition, Coulomb's law and the friction of rolling,
+/// and of spheres twisting, at the end of each step, by implicit time stepping. Velocities are those half a step before
+/// the positions.
 /// Source: Moreau (1988), Jean (1999); Bratberg (2003), 4.6-4.8, as corrected in docs/physics/contact_dynamics.md.
 template <int D>
 class ContactDynamics final : public Method<D> {

@@ -74,7 +74,7 @@ class Gathering {
       const auto& now = input_.walls[w];
       if (!now.present) continue;
       const auto from_point = from_wall(wall, now, a.position, input_.settings.box);
-      const auto place = above(wall, now.normal, from_point);
+      const auto place = above(wall, now, from_point);
       const WallTouch<D> touch{w, w, from_point, place};
       const auto surface = problem_.free[body_of_wall(w)].velocity + surface_velocity(now, touch);
       if (meets(approach_of_wall(a, wall, place), i, surface)) touching_.add(w, w, from_point, place);
@@ -84,7 +84,7 @@ class Gathering {
       if (!touching_.acts(touch)) continue;
       const auto& wall = input_.settings.walls[touch.wall];
       auto law = input_.laws.of(grains_.material[i], wall.material);
-      if (wall.smooth) law.friction = law.dynamic_friction = law.rolling_friction = 0.0;
+      if (wall.smooth) law.friction = law.dynamic_friction = law.rolling_friction = law.twisting_friction = 0.0;
       const auto approach = approach_of_wall(a, wall, touch.place);
       auto line = begin_line(approach, i, body_of_wall(touch.wall));
       const auto& now = input_.walls[touch.wall];
@@ -137,8 +137,20 @@ class Gathering {
     line.first = i;
     line.second = j;
     while (old_ != old_end_ && std::tie(old_->first, old_->second) < std::tie(i, j)) ++old_;
-    if (old_ != old_end_ && old_->first == i && old_->second == j) line.impulse = old_->impulse;
+    if (old_ != old_end_ && old_->first == i && old_->second == j) line.impulse = turned_impulse(*old_, line.normal);
     return line;
+  }
+
+  /// The impulse of the step before, turned with its contact: the tangential and rolling parts stay in the tangent
+  /// plane and the part of twisting along the normal.
+  static Impulse<D> turned_impulse(const ContactLine<D>& old, const Vec<D>& normal) {
+    auto impulse = old.impulse;
+    if constexpr (D == 3) {
+      const double twist = dot(impulse.roll, old.normal);
+      impulse.tangent = turned(impulse.tangent, normal);
+      impulse.roll = turned(Vec<3>(impulse.roll - old.normal * twist), normal) + normal * twist;
+    }
+    return impulse;
   }
 
   /// Completes a line and adds it to the problem. `other` has the velocities of the second body before the step.
@@ -153,6 +165,10 @@ class Gathering {
     line.friction = friction_at(law, magnitude(slip_velocity(line, first, other)));
     line.rolling_friction = law.rolling_friction;
     problem_.rolling |= law.rolling_friction > 0.0;
+    if constexpr (D == 3) {
+      line.twisting.friction = law.twisting_friction;
+      problem_.rolling |= law.twisting_friction > 0.0;
+    }
     line.normal_bias = normal_bias(approach);
     const auto place = static_cast<std::uint32_t>(problem_.contacts.size());
     const bool rebounds = law.restitution > 0.0 || law.tangential_restitution != 0.0;

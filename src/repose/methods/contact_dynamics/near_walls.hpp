@@ -3,6 +3,7 @@
 #pragma once
 
 #include "repose/boundaries/wall.hpp"
+#include "repose/boundaries/walls_near.hpp"
 #include "repose/core/box.hpp"
 #include "repose/core/grains.hpp"
 #include "repose/neighbours/pair_list.hpp"
@@ -42,13 +43,16 @@ class NearWalls {
     listed_ = states;
     row_start_.assign(1, 0);
     walls_.clear();
+    near_.take(walls, now);
     for (std::size_t i = 0; i < grains.size(); ++i) {
       const auto& grain = grains.line[i];
-      for (std::uint32_t w = 0; w < walls.size() && !grain.fixed(); ++w) {
+      const double farthest = near_.reach(cutoff) * grain.radius + reach + 2.0 * pairs.allowance(i);
+      const auto add_if_near = [&](std::uint32_t w) {
         const double within = (walls[w].smooth ? 2.0 * cutoff : 2.0 * cutoff - 1.0) * grain.radius;
-        const auto place = above(walls[w], now[w].normal, from_wall(walls[w], now[w], grain.position, box));
+        const auto place = above(walls[w], now[w], from_wall(walls[w], now[w], grain.position, box));
         if (place.height < within + reach + 2.0 * pairs.allowance(i)) walls_.push_back(w);
-      }
+      };
+      if (!grain.fixed()) near_.each(grain.position, farthest, box, add_if_near);
       row_start_.push_back(static_cast<std::uint32_t>(walls_.size()));
     }
   }
@@ -62,6 +66,7 @@ class NearWalls {
   std::vector<WallState> listed_;  // the walls when the list was built; empty: it does not hold
   std::vector<std::uint32_t> row_start_;
   std::vector<std::uint32_t> walls_;
+  WallsNear<D> near_;
 };
 
 }  // namespace repose::contact_dynamics

@@ -28,7 +28,9 @@ template <int D, class T = double>
 struct Impulse {
   T normal{};                 ///< [M L/T] >= 0, pushes the bodies apart
   TangentOf<D, T> tangent{};  ///< [M L/T]
-  SpinOf<D, T> roll{};        ///< [M L/T] torque impulse divided by the roll radius 2 r_i r_j / (r_i + r_j)
+  /// [M L/T] torque impulse divided by the roll radius 2 r_i r_j / (r_i + r_j). In 3D its part along the normal is that
+  /// of twisting, the rest that of rolling.
+  SpinOf<D, T> roll{};
 
   REPOSE_FN Impulse& operator+=(const Impulse& b) {
     normal += b.normal;
@@ -48,6 +50,14 @@ double squared(const Impulse<D, T>& a) {
   return a.normal * a.normal + repose::squared(a.tangent) + repose::squared(a.roll);
 }
 
+/// The coefficient of friction against twisting, which spheres have.
+template <int D>
+struct TwistingFriction {};
+template <>
+struct TwistingFriction<3> {
+  double friction = 0.0;
+};
+
 /// One contact of the solver: two cache lines. The solver finds impulses for which the formal velocities (relative
 /// velocity after the step plus bias) obey the law.
 template <int D, class T = double>
@@ -61,20 +71,13 @@ struct alignas(at_least<T>(64)) ContactLine {
   T roll_mass{};                   ///< [M]
   T friction{};                    ///< coefficient
   T rolling_friction{};            ///< coefficient
-  T lever = T{} + 1.0;             ///< distance of a centre from the contact point over the radius of that grain
-  T first_turn = T{} + 1.0;        ///< roll radius over radius of the first body; for the second it is 2 - first_turn
+  [[no_unique_address]] TwistingFriction<D> twisting{};
+  T lever = T{} + 1.0;       ///< distance of a centre from the contact point over the radius of that grain
+  T first_turn = T{} + 1.0;  ///< roll radius over radius of the first body; for the second it is 2 - first_turn
   std::uint32_t first = 0;
   std::uint32_t second = 0;
 };
 static_assert(sizeof(ContactLine<2>) == 128 && alignof(ContactLine<2>) == 64);
-
-/// The part of a difference of rim velocities that is rolling: in 3D, all but the spin about the normal.
-REPOSE_FN double rolling_part(double spin, const Vec<2>&) { return spin; }
-REPOSE_FN Vec<3> rolling_part(const Vec<3>& spin, const Vec<3>& normal) { return tangential(spin, normal); }
-template <class T>
-REPOSE_FN T rolling_part(const T& spin, const LanesVec<T>&) {
-  return spin;
-}
 
 /// The velocity at which the two bodies separate [L/T].
 template <int D, class T>
@@ -89,10 +92,11 @@ REPOSE_FN TangentOf<D, T> slip_velocity(const ContactLine<D, T>& c, const Body<D
          spin_cross((a.rim_velocity + b.rim_velocity) * c.lever, c.normal);
 }
 
-/// The difference of the angular velocities times the roll radius [L/T].
+/// The difference of the angular velocities times the roll radius [L/T]. In 3D its part along the normal is twisting,
+/// the rest rolling.
 template <int D, class T>
 REPOSE_FN SpinOf<D, T> roll_velocity(const ContactLine<D, T>& c, const Body<D, T>& a, const Body<D, T>& b) {
-  return rolling_part(a.rim_velocity * c.first_turn - b.rim_velocity * (2.0 - c.first_turn), c.normal);
+  return a.rim_velocity * c.first_turn - b.rim_velocity * (2.0 - c.first_turn);
 }
 
 /// Applies the normal and tangential impulse to the two bodies.
@@ -107,7 +111,7 @@ REPOSE_FN void push(const ContactLine<D, T>& c, const T& normal, const TangentOf
   b.rim_velocity += turn * b.inverse_mass;
 }
 
-/// Applies the rolling impulse to the two bodies.
+/// Applies the rolling impulse, with that of twisting, to the two bodies.
 template <int D, class T>
 REPOSE_FN void turn(const ContactLine<D, T>& c, const SpinOf<D, T>& roll, Body<D, T>& a, Body<D, T>& b) {
   constexpr double factor = inverse_inertia_factor<D>;
@@ -188,7 +192,7 @@ struct Problem {
   std::vector<Body<D>> bodies;  ///< bodies with contact impulses
   std::vector<ContactLine<D>> contacts;
   double velocity_scale = 0.0;  ///< [L/T] unit of residuals; if not positive, the fastest closing contact sets it
-  bool rolling = true;          ///< whether any contact resists rolling
+  bool rolling = true;          ///< whether any contact resists rolling or twisting
 
   std::size_t first_wall = std::numeric_limits<std::size_t>::max();  ///< bodies from this index on are walls
   bool pistons = false;                                              ///< whether contacts move any wall

@@ -40,14 +40,29 @@ REPOSE_FN void relax_translation(const Bodies& among, const T& fraction, Contact
   change.tangent += tangent;
 }
 
+/// The change of the torque impulse, within its limits. In 3D rolling and twisting have one each.
+template <int D, class T>
+REPOSE_FN SpinOf<D, T> roll_change(const ContactLine<D, T>& c, const SpinOf<D, T>& relative) {
+  const auto& p = c.impulse;
+  const T limit = friction_limit(c.rolling_friction, p.normal);
+  if constexpr (D == 2) {
+    return change_within(p.roll, SpinOf<D, T>(relative * -c.roll_mass), limit);
+  } else {
+    const double twist = dot(p.roll, c.normal);
+    const double twisting = dot(relative, c.normal);
+    const Vec<3> rolled = repose::change_within(Vec<3>(p.roll - c.normal * twist),
+                                                Vec<3>((relative - c.normal * twisting) * -c.roll_mass), limit);
+    const double twisted = change_within(twist, -c.roll_mass * twisting, friction_limit(c.twisting.friction, p.normal));
+    return rolled + c.normal * twisted;
+  }
+}
+
 /// Does the same for the rolling impulse, at the present normal impulse.
 template <int D, class T, class Bodies>
 REPOSE_FN void relax_roll(const Bodies& among, ContactLine<D, T>& c, Body<D, T>& a, Body<D, T>& b,
                           Impulse<D, T>& change) {
-  auto& p = c.impulse;
-  const T limit = friction_limit(c.rolling_friction, p.normal);
-  const SpinOf<D, T> roll = change_within(p.roll, SpinOf<D, T>(roll_velocity(c, a, b) * -c.roll_mass), limit);
-  p.roll += roll;
+  const SpinOf<D, T> roll = roll_change(c, roll_velocity(c, a, b));
+  c.impulse.roll += roll;
   among.turn(c, roll, a, b);
   change.roll += roll;
 }

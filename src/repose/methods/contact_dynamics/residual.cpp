@@ -51,6 +51,16 @@ Violation sliding_violation(const ContactLine<D>& c, double opening, const Tange
   return {std::max(std::fabs(c.impulse.normal) / c.normal_mass, std::fabs(opening)), smaller * sine};
 }
 
+/// The torque impulse with the nearest parts within their limits: of rolling, and in 3D of twisting.
+double project_roll(const ContactLine<2>& c, double roll) {
+  return project(roll, friction_limit(c.rolling_friction, c.impulse.normal));
+}
+Vec<3> project_roll(const ContactLine<3>& c, const Vec<3>& roll) {
+  const double twist = dot(roll, c.normal);
+  return project(Vec<3>(roll - c.normal * twist), friction_limit(c.rolling_friction, c.impulse.normal)) +
+         c.normal * project(twist, friction_limit(c.twisting.friction, c.impulse.normal));
+}
+
 /// The violations of all laws of one contact [L/T].
 template <int D>
 Residual violations(const ContactLine<D>& c, const Body<D>& a, const Body<D>& b) {
@@ -58,7 +68,7 @@ Residual violations(const ContactLine<D>& c, const Body<D>& a, const Body<D>& b)
   const Tangent<D> slip = slip_velocity(c, a, b) + c.tangent_bias;
   const Spin<D> roll = roll_velocity(c, a, b);
   const auto& p = c.impulse;
-  const Spin<D> turning = project(Spin<D>(p.roll - roll * c.roll_mass), friction_limit(c.rolling_friction, p.normal));
+  const Spin<D> turning = project_roll(c, Spin<D>(p.roll - roll * c.roll_mass));
   Violation violation = natural_map(c, opening, slip);
   if (std::isinf(c.friction)) {
     const Violation sliding = sliding_violation(c, opening, slip);

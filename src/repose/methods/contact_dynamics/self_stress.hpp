@@ -28,7 +28,20 @@ double multiple_to_friction_limit(const Vector& impulse, const Vector& change, d
   return -2.0 * c / (b + std::sqrt(root));
 }
 
-/// The largest multiple of a change of impulse up to which the contact does not open, slide or roll.
+/// The multiple at which the torque reaches its limit: that of rolling, or in 3D of twisting.
+inline double multiple_to_roll(const ContactLine<2>& c, const Impulse<2>& p, const Impulse<2>& change) {
+  return multiple_to_friction_limit(p.roll, change.roll, c.rolling_friction, p.normal, change.normal);
+}
+inline double multiple_to_roll(const ContactLine<3>& c, const Impulse<3>& p, const Impulse<3>& change) {
+  const double twist = dot(p.roll, c.normal);
+  const double twist_change = dot(change.roll, c.normal);
+  return std::min(
+      multiple_to_friction_limit(Vec<3>(p.roll - c.normal * twist), Vec<3>(change.roll - c.normal * twist_change),
+                                 c.rolling_friction, p.normal, change.normal),
+      multiple_to_friction_limit(twist, twist_change, c.twisting.friction, p.normal, change.normal));
+}
+
+/// The largest multiple of a change of impulse up to which the contact does not open, slide, roll or twist.
 template <int D>
 double largest_multiple(const ContactLine<D>& c, const Impulse<D>& p, const Impulse<D>& change) {
   double multiple = std::numeric_limits<double>::infinity();
@@ -36,8 +49,7 @@ double largest_multiple(const ContactLine<D>& c, const Impulse<D>& p, const Impu
   if (change.normal < 0.0) multiple = std::min(multiple, -p.normal / change.normal);
   multiple =
       std::min(multiple, multiple_to_friction_limit(p.tangent, change.tangent, c.friction, p.normal, change.normal));
-  return std::min(multiple,
-                  multiple_to_friction_limit(p.roll, change.roll, c.rolling_friction, p.normal, change.normal));
+  return std::min(multiple, multiple_to_roll(c, p, change));
 }
 
 /// Twice the kinetic energy [M L^2/T^2] that a change of impulse gives if it acts on its contact alone. The sum over

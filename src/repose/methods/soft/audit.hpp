@@ -29,6 +29,13 @@ inline void add(Energy& account, const GrainWork& work) {
   account.drag += work.drag;
 }
 
+/// The energy in the spring of a contact about its normal; 0 of discs.
+template <int D, class Law>
+double twist_energy(const Law& law, const Touch<double>& touch, const NormalForce<double>& normal, double twist) {
+  if constexpr (D == 3) return energy_of_twist(law.twisting, touch, normal, twist);
+  return 0.0;
+}
+
 /// Adds the kinetic and gravitational energy of a grain at the time of its velocity, which is `back` [T] before its
 /// position.
 template <int D>

@@ -29,8 +29,10 @@ bool goes_in_packs(const Law& law) {
 
 }  // namespace repose
 
-/// Calls use(D, Law) for every dimension and law of a fused kernel, to instantiate a template. In 3D there are those
-/// that tests and benchmarks run; the program has two dimensions.
-#define REPOSE_FOR_FUSED_LAWS(use)                                                             \
-  use(2, HookeLinear) use(2, HookeCumulative) use(2, HertzMindlin) use(2, ElasticHertzMindlin) \
-      use(2, ContinuousCumulative) use(3, HookeLinear) use(3, ElasticHertzMindlin) use(3, ContinuousCumulative)
+/// Calls use(D, Law) for every law of a fused kernel, to instantiate a template.
+#define REPOSE_FOR_FUSED_LAWS_IN(D, use)                                                       \
+  use(D, HookeLinear) use(D, HookeCumulative) use(D, HertzMindlin) use(D, ElasticHertzMindlin) \
+      use(D, ContinuousCumulative)
+
+/// The same for every dimension.
+#define REPOSE_FOR_FUSED_LAWS(use) REPOSE_FOR_FUSED_LAWS_IN(2, use) REPOSE_FOR_FUSED_LAWS_IN(3, use)

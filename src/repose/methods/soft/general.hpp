@@ -9,8 +9,8 @@
 #include <limits>
 #include <vector>
 
-/// The general kernel: any law, chosen at run time, with rolling resistance, bonds, damping and the energy budget. It
-/// computes one pair after the other, and is the reference that the fused kernels equal to the bit.
+/// The general kernel: any law, chosen at run time, with resistance to rolling and twisting, bonds, damping and the
+/// energy budget. It computes one pair after the other, and is the reference that the fused kernels equal to the bit.
 namespace repose::soft {
 
 /// The working memory of one member.
@@ -48,12 +48,14 @@ class GeneralKernel {
 template <bool Periodic, bool Synchronised, int D, class Law>
 void push_edges(const SweepInput<D, Law>& in, const Grains<D>& grains, GeneralSpace<D>& mine) {
   std::uint8_t no_bond = 0;
+  double no_twist = 0.0;
   for (std::size_t e = 0; e < mine.edges.size(); ++e) {
     const auto [i, k] = mine.edges[e];
     const auto j = in.pairs.partner[k];
     mine.edge_push[e] = {};
     pair_force<Periodic>(in.laws.of(grains.material[i], grains.material[j]), grains.line[i], grains.line[j],
                          in.settings.box, contact_times<Synchronised>(in), in.pairs.slip[k], in.pairs.roll[k],
+                         in.pairs.twist.empty() ? no_twist : in.pairs.twist[k],
                          in.pairs.bonded.empty() ? no_bond : in.pairs.bonded[k], mine.edge_push[e]);
   }
 }
@@ -67,8 +69,10 @@ void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, const std::vect
   const std::uint32_t* const partner = in.pairs.partner.data();
   Tangent<D>* const history = in.pairs.slip.data();
   Tangent<D>* const roll = in.pairs.roll.data();
+  double* const twist = in.pairs.twist.empty() ? nullptr : in.pairs.twist.data();
   std::uint8_t* const bonded = in.pairs.bonded.empty() ? nullptr : in.pairs.bonded.data();
   std::uint8_t no_bond = 0;
+  double no_twist = 0.0;
   Grain<D>* const line = grains.line.data();
   Slot<D, true>* const ring = mine.ring.data();
   const std::size_t mask = mine.ring.size() - 1;
@@ -99,7 +103,8 @@ void sweep_rows(const SweepInput<D, Law>& in, Grains<D>& grains, const std::vect
       Push<D, true> push;
       const Law& law = in.laws.of(grains.material[i], grains.material[j]);
       auto& bond = bonded == nullptr ? no_bond : bonded[k];
-      if (!pair_force<Periodic>(law, grain, line[j], box, times, history[k], roll[k], bond, push)) continue;
+      auto& about = twist == nullptr ? no_twist : twist[k];
+      if (!pair_force<Periodic>(law, grain, line[j], box, times, history[k], roll[k], about, bond, push)) continue;
       sum.add(push);
       ring[j & mask].add_back(push);
     }
@@ -127,7 +132,7 @@ void GeneralKernel<D, Law>::step(const SweepInput<D, Law>& in, Grains<D>& grains
                                  Team& team, int member) {
   auto& mine = spaces[static_cast<std::size_t>(member)];
   const auto with_flag = [](bool flag, const auto& use) { flag ? use(std::true_type{}) : use(std::false_type{}); };
-  with_flag(in.settings.box.periodic, [&](auto periodic) {
+  with_flag(in.settings.box.wraps(), [&](auto periodic) {
     with_flag(in.settings.synchronised, [&](auto synchronised) {
       push_edges<periodic, synchronised>(in, grains, mine);
       team.wait();

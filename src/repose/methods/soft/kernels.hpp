@@ -12,8 +12,8 @@
 
 namespace repose {
 
-/// The soft method, `Soft<D, Law>`, for a law chosen when it is compiled. The library has, in 2D, the kernels of the
-/// laws above and of AnyPairLaw; make_kernel.hpp compiles others.
+/// The soft method, `Soft<D, Law>`, for a law chosen when it is compiled. The library has, in 2D and 3D, the kernels of
+/// the laws above and of AnyPairLaw; make_kernel.hpp compiles others.
 template <int D, class Law>
 std::unique_ptr<Method<D>> make_kernel(MaterialTable<Law> laws, SoftSettings<D> settings);
 

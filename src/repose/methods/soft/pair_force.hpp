@@ -20,7 +20,17 @@ namespace repose::soft {
 REPOSE_FN double rolling_part(double spin, const Vec<2>&) { return spin; }
 REPOSE_FN Vec<3> rolling_part(const Vec<3>& spin, const Vec<3>& normal) { return tangential(spin, normal); }
 
-/// The same with the rolling of two grains.
+/// The other part, about the normal: twisting. Discs have none.
+REPOSE_FN double twisting_part(double, const Vec<2>&) { return 0.0; }
+REPOSE_FN double twisting_part(const Vec<3>& spin, const Vec<3>& normal) { return dot(spin, normal); }
+
+/// The torque of a contact on its first grain against rolling and twisting, divided by the roll radius [M L/T^2].
+REPOSE_FN double resisting_torque(const ContactForce<double>& force, const Vec<2>&) { return force.rolling; }
+REPOSE_FN Vec<3> resisting_torque(const ContactForce<Vec<3>>& force, const Vec<3>& normal) {
+  return force.rolling + normal * force.twisting;
+}
+
+/// The same with the rolling and twisting of two grains.
 template <int D>
 REPOSE_FN PairGeometry<D> pair_geometry(const Grain<D>& a, const Grain<D>& b, const Vec<D>& d, double distance2,
                                         double within) {
@@ -31,6 +41,7 @@ REPOSE_FN PairGeometry<D> pair_geometry(const Grain<D>& a, const Grain<D>& b, co
   auto pair = pair_geometry(motion, distance2, within, roll_radius);
   const Spin<D> turning = a.rim_velocity * (roll_radius / a.radius) - b.rim_velocity * (roll_radius / b.radius);
   pair.roll_velocity = rolling_part(turning, pair.normal);
+  pair.twist_velocity = twisting_part(turning, pair.normal);
   return pair;
 }
 
@@ -40,19 +51,21 @@ REPOSE_FN void to_push(const PairGeometry<D>& pair, const ContactForce<Tangent<D
                        double back_radius, Push<D, Full>& push) {
   to_push(pair, force, push.force, push.rim_torque);
   if constexpr (Full) {
-    push.back_rim_torque = push.rim_torque - force.rolling * (pair.touch.roll_radius / back_radius);
-    push.rim_torque += force.rolling * (pair.touch.roll_radius / radius);
+    const Spin<D> torque = resisting_torque(force, pair.normal);
+    push.back_rim_torque = push.rim_torque - torque * (pair.touch.roll_radius / back_radius);
+    push.rim_torque += torque * (pair.touch.roll_radius / radius);
     push.damping = pair.normal * (force.normal.total - force.normal.elastic);
     push.friction = in_space(force.tangential, pair.normal);
   }
 }
 
-/// Computes the push of pair (a, b) on a, and advances the slip displacement; in a full kernel also the rolling
-/// displacement and whether the pair is bonded. `times` is the step [T], or HalfSteps where velocities are those of the
-/// time of the force. If the pair is out of reach and not bonded, returns false and sets the displacements to zero.
+/// Computes the push of pair (a, b) on a, and advances the slip displacement; in a full kernel also those of rolling
+/// and twisting, and whether the pair is bonded. `times` is the step [T], or HalfSteps where velocities are those of
+/// the time of the force. If the pair is out of reach and not bonded, returns false and sets the displacements to zero.
 template <bool Periodic, int D, class Law, class Times, bool Full>
 REPOSE_FN bool pair_force(const Law& law, const Grain<D>& a, const Grain<D>& b, const Box<D>& box, const Times& times,
-                          Tangent<D>& slip, Tangent<D>& roll, std::uint8_t& bonded, Push<D, Full>& push) {
+                          Tangent<D>& slip, Tangent<D>& roll, double& twist, std::uint8_t& bonded,
+                          Push<D, Full>& push) {
   const Vec<D> d = separation<Periodic>(a.position, b.position, box);
   const double distance2 = dot(d, d);
   const double within = reach(law.normal) * (a.radius + b.radius);
@@ -60,7 +73,10 @@ REPOSE_FN bool pair_force(const Law& law, const Grain<D>& a, const Grain<D>& b, 
   if constexpr (Full) apart = apart && bonded == 0;
   if (apart) {
     slip = Tangent<D>{};
-    if constexpr (Full) roll = Tangent<D>{};
+    if constexpr (Full) {
+      roll = Tangent<D>{};
+      twist = 0.0;
+    }
     return false;
   }
   const auto pair = pair_geometry(a, b, d, distance2, within);
@@ -68,12 +84,15 @@ REPOSE_FN bool pair_force(const Law& law, const Grain<D>& a, const Grain<D>& b, 
   if constexpr (Full) {
     history.roll = turned(roll, pair.normal);
     history.bonded = bonded != 0;
+    history.twist = twist;
   }
-  const auto force = contact_force(law, pair.touch, pair.slip_velocity, pair.roll_velocity, times, history);
+  const auto force =
+      contact_force(law, pair.touch, pair.slip_velocity, pair.roll_velocity, times, history, pair.twist_velocity);
   slip = history.slip;
   to_push(pair, force, a.radius, b.radius, push);
   if constexpr (Full) {
     roll = history.roll;
+    twist = history.twist;
     if (bonded != 0 && !history.bonded) {
       (a.fixed() ? push.back_lost : push.lost) = energy_of_break(law.cohesion, pair.touch);
     }
@@ -82,12 +101,13 @@ REPOSE_FN bool pair_force(const Law& law, const Grain<D>& a, const Grain<D>& b, 
   return true;
 }
 
-/// The same for a pair that makes no bonds.
+/// The same for a pair that makes no bonds and keeps no displacement about its normal.
 template <bool Periodic, int D, class Law, class Times, bool Full>
 REPOSE_FN bool pair_force(const Law& law, const Grain<D>& a, const Grain<D>& b, const Box<D>& box, const Times& times,
                           Tangent<D>& slip, Tangent<D>& roll, Push<D, Full>& push) {
   std::uint8_t unbonded = 0;
-  return pair_force<Periodic>(law, a, b, box, times, slip, roll, unbonded, push);
+  double twist = 0.0;
+  return pair_force<Periodic>(law, a, b, box, times, slip, roll, twist, unbonded, push);
 }
 
 /// The same without resistance to rolling.
@@ -119,7 +139,8 @@ REPOSE_FN PairGeometry<D> wall_geometry(const Law& law, const Grain<D>& a, const
   auto touch = make_touch(distance, 1.0 / distance, diameter, within, -dot(relative, place.normal), a.mass,
                           1.0 / a.mass + yielding, a.radius);
   touch.effective_radius = a.radius;
-  return {touch, place.normal, slip, rolling_part(a.rim_velocity - now.spin * a.radius, place.normal), 1.0};
+  const Spin<D> turning = a.rim_velocity - now.spin * a.radius;
+  return {touch, place.normal, slip, rolling_part(turning, place.normal), 1.0, twisting_part(turning, place.normal)};
 }
 
 /// Finds the walls in reach of a grain of a material among the pairs of its row, and which of them act.
@@ -133,7 +154,7 @@ void find_wall_contacts(const Laws& laws, const Grain<D>& grain, std::uint16_t m
     const auto& wall = walls[w];
     if (!now[w].present) continue;
     const auto from_point = from_wall(wall, now[w], grain.position, box);
-    const auto place = above(wall, now[w].normal, from_point);
+    const auto place = above(wall, now[w], from_point);
     const double within = reach(laws.of(material, wall.material).normal) * (2.0 * grain.radius);
     if (wall_distance(grain, wall, place) < within || row[k].bonded != 0) contacts.add(w, k, from_point, place);
   }
@@ -144,8 +165,30 @@ void find_wall_contacts(const Laws& laws, const Grain<D>& grain, std::uint16_t m
 template <int D, class Law, class Times>
 REPOSE_FN ContactForce<Tangent<D>> wall_contact(const Law& law, const Wall<D>& wall, const PairGeometry<D>& pair,
                                                 const Times& times, ContactHistory<Tangent<D>>& history) {
-  if (wall.smooth) return {normal_force(law.normal, pair.touch), 0.0, {}, {}};
-  return contact_force(law, pair.touch, pair.slip_velocity, pair.roll_velocity, times, history);
+  if (wall.smooth) return {normal_force(law.normal, pair.touch), 0.0, {}, {}, {}};
+  return contact_force(law, pair.touch, pair.slip_velocity, pair.roll_velocity, times, history, pair.twist_velocity);
+}
+
+/// The history of a contact with a wall, turned to its normal, and back.
+template <int D>
+ContactHistory<Tangent<D>> history_of(const WallPair<D>& contact, const Vec<D>& normal) {
+  ContactHistory<Tangent<D>> history{turned(contact.slip, normal), turned(contact.roll, normal), contact.bonded != 0};
+  if constexpr (D == 3) history.twist = contact.twist;
+  return history;
+}
+template <int D>
+void keep(const ContactHistory<Tangent<D>>& history, WallPair<D>& contact) {
+  contact.slip = history.slip;
+  contact.roll = history.roll;
+  if constexpr (D == 3) contact.twist = history.twist;
+}
+/// Forgets it: the contact does not act.
+template <int D>
+void forget(WallPair<D>& contact) {
+  contact.slip = {};
+  contact.roll = {};
+  contact.bonded = 0;
+  if constexpr (D == 3) contact.twist = 0.0;
 }
 
 }  // namespace repose::soft

@@ -29,6 +29,7 @@ struct PairGeometry {
   Tangent<D, T> slip_velocity;  ///< [L/T]
   Tangent<D, T> roll_velocity;  ///< [L/T]
   T lever;                      ///< distance of a centre from the contact point over the radius of that grain
+  T twist_velocity{};           ///< [L/T] of spheres about the normal: roll radius times relative spin
 };
 
 /// The pair as a law sees it; `within` [L] is the reach of the law. The lever of each grain is its fraction
@@ -50,7 +51,11 @@ REPOSE_FN PairGeometry<D, T> pair_geometry(const PairMotion<D, T>& pair, const T
       tangential(pair.velocity, normal) - spin_cross(Spin<D, T>(pair.rim_velocity * lever), normal);
   return {make_touch(distance, inverse, pair.radii, within, -dot(pair.velocity, normal), mass, pair.inverse_mass,
                      roll_radius),
-          normal, slip, Tangent<D, T>{}, lever};
+          normal,
+          slip,
+          Tangent<D, T>{},
+          lever,
+          T(0.0)};
 }
 
 /// Converts the forces of a contact to the push on its first grain, and on its second with the force negated.

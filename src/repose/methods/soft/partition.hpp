@@ -7,11 +7,13 @@
 #include "repose/core/team.hpp"
 #include "repose/core/vec.hpp"
 #include "repose/methods/method.hpp"
+#include "repose/methods/wall_list.hpp"
 #include "repose/neighbours/pair_list.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -68,6 +70,21 @@ struct alignas(64) Part {
   Vec<D> fastest{};          ///< [L/T] largest magnitude of each component of a grain's velocity in this step
   bool trouble = false;
 };
+
+/// Finds the grains of a part that are fixed, near a wall or loaded, so that the sweep must do more than move them.
+template <int D>
+void find_special(const Grains<D>& grains, const std::vector<LoadedGrain<D>>& all_loaded, const WallList<D>& walls,
+                  Part<D>& part) {
+  auto loaded = std::lower_bound(all_loaded.begin(), all_loaded.end(), part.rows.begin,
+                                 [](const auto& grain, std::size_t row) { return grain.i < row; });
+  for (auto i = static_cast<std::uint32_t>(part.rows.begin); i < part.rows.end; ++i) {
+    const bool near_wall = walls.any() && walls.row_start[i] != walls.row_start[i + 1];
+    const bool is_loaded = loaded != all_loaded.end() && loaded->i == i;
+    if (near_wall || is_loaded || grains.line[i].fixed()) part.special.push_back(i);
+    while (loaded != all_loaded.end() && loaded->i == i) ++loaded;
+  }
+  part.special.push_back(std::numeric_limits<std::uint32_t>::max());
+}
 
 /// Takes note of the speed of a grain that has moved. A component above the limit [L/T] is too fast to follow.
 template <int D>

@@ -18,10 +18,11 @@ std::optional<MaterialTable<PairLaw<Normal, Tangential>>> fused(const MaterialLa
   for (const auto& pair : laws.table) {
     const auto* normal = std::get_if<Normal>(&pair.normal);
     const auto* tangential = std::get_if<Tangential>(&pair.tangential);
-    const bool plain =
-        std::holds_alternative<FreeRolling>(pair.rolling) && std::holds_alternative<NoCohesion>(pair.cohesion);
+    const bool plain = std::holds_alternative<FreeRolling>(pair.rolling) &&
+                       std::holds_alternative<NoCohesion>(pair.cohesion) &&
+                       std::holds_alternative<NoTwisting>(pair.twisting);
     if (normal == nullptr || tangential == nullptr || !plain) return std::nullopt;
-    table.push_back({*normal, *tangential, {}, {}});
+    table.push_back({*normal, *tangential, {}, {}, {}});
   }
   return MaterialTable<PairLaw<Normal, Tangential>>(std::move(table), laws.materials);
 }
@@ -53,5 +54,6 @@ std::unique_ptr<Method<D>> make_soft(const MaterialLaws& laws, const SoftSetting
 }
 
 template std::unique_ptr<Method<2>> make_soft(const MaterialLaws&, const SoftSettings<2>&);
+template std::unique_ptr<Method<3>> make_soft(const MaterialLaws&, const SoftSettings<3>&);
 
 }  // namespace repose

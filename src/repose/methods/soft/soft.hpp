@@ -21,7 +21,8 @@ namespace repose {
 /// Soft-particle dynamics: forces from overlaps, integrated by explicit leapfrog.
 /// Source: Baxter et al. (1997), section II, as corrected in docs/physics/soft.md.
 ///
-/// The general kernel includes rolling resistance, bonds, damping and the energy budget; the fused ones are faster.
+/// The general kernel includes resistance to rolling and twisting, bonds, damping and the energy budget; the fused ones
+/// are faster.
 template <int D, class Law>
 class Soft final : public Method<D> {
   static constexpr bool Full = std::is_same_v<Law, AnyPairLaw>;
@@ -32,7 +33,7 @@ class Soft final : public Method<D> {
       : laws_(std::move(laws)),
         settings_(std::move(settings)),
         pairs_(PairReach{widest_reach(), settings_.skin, look_ahead_steps * settings_.time_step,
-                         magnitude(settings_.gravity), Full, makes_bonds()}),
+                         magnitude(settings_.gravity), Full, makes_bonds(), keeps_twist()}),
         kernel_(settings_),
         walls_(settings_.walls.size()),
         wall_list_(settings_.walls.size()),
@@ -163,9 +164,16 @@ class Soft final : public Method<D> {
   }
   double reach_of_bonds_of(const Law& law) const { return reach_of_bonds(law.cohesion, settings_.smallest_diameter); }
 
+  template <class Is>
+  bool any_law(const Is& is) const {
+    return std::any_of(laws_.all().begin(), laws_.all().end(), is);
+  }
   bool makes_bonds() const {
-    const auto& laws = laws_.all();
-    return std::any_of(laws.begin(), laws.end(), [&](const Law& law) { return reach_of_bonds_of(law) > 0.0; });
+    return any_law([&](const Law& law) { return reach_of_bonds_of(law) > 0.0; });
+  }
+  bool keeps_twist() const {
+    if constexpr (Full && D == 3) return any_law([](const Law& law) { return law.twisting.law.index() > 0; });
+    return false;
   }
 
   /// The time [T] by which velocities are behind positions: half a step, and 0 at the start.
@@ -235,7 +243,7 @@ class Soft final : public Method<D> {
     for (auto& part : parts_) {
       part.walls = walls_;
       part.walls_now = now;
-      find_special(grains, part);
+      soft::find_special(grains, loaded_, wall_list_, part);
     }
     kernel_.prepare(parts_, laws_, pairs_, grains);
     smallest_radius_ = std::numeric_limits<double>::infinity();
@@ -255,19 +263,6 @@ class Soft final : public Method<D> {
   }
 
   void add_elastic(Energy& account, const Grains<D>& grains) const;
-
-  /// The grains of a part that are fixed, near a wall or loaded, so that the sweep must do more than move them.
-  void find_special(const Grains<D>& grains, soft::Part<D>& part) const {
-    auto loaded = std::lower_bound(loaded_.begin(), loaded_.end(), part.rows.begin,
-                                   [](const auto& grain, std::size_t row) { return grain.i < row; });
-    for (auto i = static_cast<std::uint32_t>(part.rows.begin); i < part.rows.end; ++i) {
-      const bool near_wall = wall_list_.any() && wall_list_.row_start[i] != wall_list_.row_start[i + 1];
-      const bool is_loaded = loaded != loaded_.end() && loaded->i == i;
-      if (near_wall || is_loaded || grains.line[i].fixed()) part.special.push_back(i);
-      while (loaded != loaded_.end() && loaded->i == i) ++loaded;
-    }
-    part.special.push_back(std::numeric_limits<std::uint32_t>::max());
-  }
 
   soft::SweepInput<D, Law> input(long step) {
     const double limit = smallest_radius_ / settings_.time_step;
@@ -333,8 +328,10 @@ void Soft<D, Law>::for_every_contact(const Grains<D>& grains, double back, const
       ContactHistory<Tangent<D>> history{.bonded = bonded};
       history.slip = turned(swap ? swapped(pairs_.slip[k]) : pairs_.slip[k], pair.normal);
       if constexpr (Full) history.roll = turned(swap ? -pairs_.roll[k] : pairs_.roll[k], pair.normal);
+      if (!pairs_.twist.empty()) history.twist = pairs_.twist[k];
       const auto force = with_times([&](const auto& times) {
-        return contact_force(law, pair.touch, pair.slip_velocity, pair.roll_velocity, times, history);
+        return contact_force(law, pair.touch, pair.slip_velocity, pair.roll_velocity, times, history,
+                             pair.twist_velocity);
       });
       use(grains.id[a], grains.id[b], law, pair, force, history, pair.lever * first.radius);
     }
@@ -354,9 +351,7 @@ void Soft<D, Law>::for_every_contact(const Grains<D>& grains, double back, const
       const auto& law = laws_.of(grains.material[i], wall.material);
       const auto pair =
           soft::wall_geometry(law, grain, wall, now[touch.wall], touch.place, surface_velocity(now[touch.wall], touch));
-      const auto& contact = row[touch.entry];
-      ContactHistory<Tangent<D>> history{turned(contact.slip, pair.normal), turned(contact.roll, pair.normal),
-                                         contact.bonded != 0};
+      auto history = soft::history_of(row[touch.entry], pair.normal);
       const auto force =
           with_times([&](const auto& times) { return soft::wall_contact(law, wall, pair, times, history); });
       use(grains.id[i], wall_partner(touch.wall), law, pair, force, history, grain.radius);
@@ -374,7 +369,7 @@ Contacts<D> Soft<D, Law>::contacts(const Grains<D>& grains) const {
         const double limit = coulomb_limit(law.tangential, force.normal, pair.slip_velocity);
         contacts.list.push_back({first, second, pair.normal, pair.touch.overlap,
                                  pair.touch.overlap / pair.touch.diameter, force.normal.total - force.attraction,
-                                 force.tangential, history.slip, force.rolling, lever,
+                                 force.tangential, history.slip, soft::resisting_torque(force, pair.normal), lever,
                                  limit > 0.0 && magnitude(force.tangential) >= limit * (1.0 - 1e-9)});
       });
   contacts.sort();
@@ -415,7 +410,8 @@ void Soft<D, Law>::add_elastic(Energy& account, const Grains<D>& grains) const {
                       [&](std::int64_t, std::int64_t second, const Law& law, const soft::PairGeometry<D>& pair,
                           const ContactForce<Tangent<D>>& force, const ContactHistory<Tangent<D>>& history, double) {
                         const double springs = stored_energy(law.tangential, pair.touch, force.normal, history.slip) +
-                                               stored_energy(law.rolling, pair.touch, force.normal, history.roll);
+                                               stored_energy(law.rolling, pair.touch, force.normal, history.roll) +
+                                               soft::twist_energy<D>(law, pair.touch, force.normal, history.twist);
                         account.elastic += elastic_energy(law, pair.touch, history.bonded) + springs;
                         (second < 0 ? account.walls : account.friction) -= springs;
                       });

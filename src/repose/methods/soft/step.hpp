@@ -142,9 +142,7 @@ WallPush<D, Full> push_of_walls(const SweepInput<D, Law>& in, const Grains<D>& g
     const bool in_reach = next != contacts.all().end() && next->entry == k;
     const auto* const touch = in_reach ? &*next++ : nullptr;
     if (!in_reach || !contacts.acts(*touch)) {
-      contact.slip = {};
-      contact.roll = {};
-      contact.bonded = 0;
+      forget(contact);
       contact.force = {};
       contact.dissipative = {};
       continue;
@@ -154,11 +152,9 @@ WallPush<D, Full> push_of_walls(const SweepInput<D, Law>& in, const Grains<D>& g
     const auto& now = mine.walls_now[contact.wall];
     contact.surface = surface_velocity(now, *touch);
     const auto pair = wall_geometry(law, grain, wall, now, touch->place, contact.surface);
-    ContactHistory<Tangent<D>> history{turned(contact.slip, pair.normal), turned(contact.roll, pair.normal),
-                                       contact.bonded != 0};
+    auto history = history_of(contact, pair.normal);
     const auto force = wall_contact(law, wall, pair, contact_times<Synchronised>(in), history);
-    contact.slip = history.slip;
-    contact.roll = history.roll;
+    keep(history, contact);
     Push<D, Full> push;
     to_push(pair, force, grain.radius, grain.radius, push);
     contact.force = push.force;

@@ -7,7 +7,7 @@ namespace repose {
 /// What collided and turned soft in the whole run.
 void add_collisions(Registry& to) {
   const auto account = [](auto member) {
-    return [=](const Measured& run) { return collision_account(run.record).*member; };
+    return [=](const Measured& run) { return collision_account(run.record.series).*member; };
   };
   const auto add = [&](Measure measure) { to.measures.push_back(std::move(measure)); };
   add(measure(

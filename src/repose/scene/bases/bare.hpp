@@ -20,7 +20,10 @@ struct PlaneBase final : KindOf<PlaneBase, BaseKind> {
   }
   bool carries_pile() const override { return true; }
   double height_on_top(const Scene&, double diameter) const override { return smooth ? diameter : 0.5 * diameter; }
-  std::optional<Wall<2>> wall(const Scene& scene) const override;
+  std::optional<BasePlane> wall(const Scene& scene) const override {
+    return BasePlane{smooth, scene.material_number(material)};
+  }
+  bool in_dimension(std::int64_t) const override { return true; }
   std::string describe() const override { return smooth ? "smooth plane" : "plane"; }
 };
 
@@ -30,6 +33,7 @@ struct NoBase final : KindOf<NoBase, BaseKind> {
   static constexpr std::string_view meaning = "nothing";
 
   void keys(const Scene&, Parameters&) override {}
+  bool in_dimension(std::int64_t) const override { return true; }
 };
 
 }  // namespace repose

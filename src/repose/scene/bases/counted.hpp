@@ -36,6 +36,7 @@ struct ContiguousBase final : KindOf<ContiguousBase, CountedBase> {
   double reach(const Scene& scene) const override { return *box_half_width(scene); }
   double height_on_top(const Scene& scene, double diameter) const override;
   std::string describe() const override { return "contiguous, " + width_text(); }
+  using BaseKind::add_grains;
   void add_grains(const Scene& scene, Grains<2>& grains, std::int64_t& id) const override;
 };
 
@@ -49,6 +50,16 @@ struct FlatBase final : KindOf<FlatBase, CountedBase> {
   std::string describe() const override { return "flat, " + width_text(); }
 };
 
+/// A flat floor at height 0 for spheres that are put in place.
+struct FloorBase final : KindOf<FloorBase, BaseKind> {
+  static constexpr std::string_view kind = "floor";
+  static constexpr std::string_view meaning = "a flat floor at height 0";
+
+  bool suits(const MethodTraits& method) const override { return !method.follows_time; }
+  bool in_dimension(std::int64_t dimension) const override { return dimension == 3; }
+  void keys(const Scene&, Parameters&) override {}
+};
+
 /// Discs on that floor at random places.
 struct DisorderedBase final : KindOf<DisorderedBase, CountedBase> {
   static constexpr std::string_view kind = "disordered";
@@ -57,6 +68,7 @@ struct DisorderedBase final : KindOf<DisorderedBase, CountedBase> {
   bool suits(const MethodTraits& method) const override { return !method.follows_time; }
   void keys(const Scene&, Parameters& keys) override { count_key(keys); }
   std::string describe() const override { return "disordered, " + width_text(); }
+  using BaseKind::add_grains;
   void add_grains(const Scene& scene, Grains<2>& grains, std::int64_t& id) const override;
 };
 

@@ -28,6 +28,7 @@ struct DepositedBase final : KindOf<DepositedBase, BaseKind> {
   double depth() const override { return roughness; }
   double height_on_top(const Scene&, double diameter) const override { return diameter; }
   std::string describe() const override;
+  using BaseKind::add_grains;
   void add_grains(const Scene& scene, Grains<2>& grains, std::int64_t& id) const override;
 };
 

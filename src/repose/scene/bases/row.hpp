@@ -29,6 +29,7 @@ struct RowBase final : KindOf<RowBase, BaseKind> {
   std::optional<double> pitch() const override { return spacing; }
   double height_on_top(const Scene& scene, double diameter) const override;
   std::string describe() const override;
+  using BaseKind::add_grains;
   void add_grains(const Scene& scene, Grains<2>& grains, std::int64_t& id) const override;
 };
 

@@ -57,7 +57,9 @@ struct ContactDynamicsMethod final : KindOf<ContactDynamicsMethod, MethodKind> {
   std::optional<double> usual_rolling_angle() const override { return rolling_angle; }
   const SolverLimits* solver() const override { return &limits; }
   std::string describe(const Scene& scene) const override;
-  std::unique_ptr<Method<2>> make(const Scene& scene) const override;
+  bool in_dimension(std::int64_t) const override { return true; }
+  std::unique_ptr<Method<2>> make(const Scene& scene, Dimension<2>) const override;
+  std::unique_ptr<Method<3>> make(const Scene& scene, Dimension<3>) const override;
 };
 
 }  // namespace repose

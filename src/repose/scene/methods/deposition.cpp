@@ -18,8 +18,10 @@ void DepositionMethod::check(const Scene& scene, Problems& problems) const {
 
 std::string DepositionMethod::describe(const Scene& scene) const {
   return fmt::format("sides            {}\ncritical angle   {:g} deg{}\n",
-                     scene.box.periodic() ? "periodic" : "between walls", critical_angle,
-                     snaps() ? ", places snapped to 2^-40 radii" : "");
+                     scene.box.periodic() ? "periodic"
+                     : scene.box.open()   ? "open"
+                                          : "between walls",
+                     critical_angle, scene.dimension == 2 && snaps() ? ", places snapped to 2^-40 radii" : "");
 }
 
 }  // namespace repose

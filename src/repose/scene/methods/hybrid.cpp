@@ -62,7 +62,7 @@ void HybridMethod::check(const Scene& scene, Problems& problems) const {
   if (!scene.loads.empty()) problems.problem("load", ": method.kind = \"hybrid\" knows no loads");
   for (std::size_t k = 0; k < scene.planes.size(); ++k) {
     const auto& plane = scene.planes[k];
-    if (plane.motion->motion().kind == WallMotion<2>::Kind::none && !plane.opens_at) continue;
+    if (plane.motion->motion(Dimension<2>{}).kind == WallMotion<2>::Kind::none && !plane.opens_at) continue;
     problems.problem(fmt::format("plane[{}]", k), ": method.kind = \"hybrid\" needs walls that stand still and stay");
   }
 }

@@ -63,7 +63,8 @@ struct HybridMethod final : KindOf<HybridMethod, MethodKind> {
     return RestingContacts{stiffness(scene), pin_base.value_or(false)};
   }
   std::string describe(const Scene& scene) const override;
-  std::unique_ptr<Method<2>> make(const Scene& scene) const override;
+  using MethodKind::make;
+  std::unique_ptr<Method<2>> make(const Scene& scene, Dimension<2>) const override;
 
   double stiffness(const Scene& scene) const;  ///< [M/T^2]
   double damping(const Scene& scene) const;    ///< [M/T]

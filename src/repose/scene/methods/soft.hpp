@@ -37,7 +37,9 @@ struct SoftMethod final : KindOf<SoftMethod, MethodKind> {
   double time_step(const Scene& scene) const override { return step ? *step : automatic_step(scene); }
   bool synchronised(const Scene& scene) const override;
   std::string describe(const Scene& scene) const override;
-  std::unique_ptr<Method<2>> make(const Scene& scene) const override;
+  bool in_dimension(std::int64_t) const override { return true; }
+  std::unique_ptr<Method<2>> make(const Scene& scene, Dimension<2>) const override;
+  std::unique_ptr<Method<3>> make(const Scene& scene, Dimension<3>) const override;
 };
 
 /// Size ratio above which velocities are predicted for the full step unless the scene says otherwise.

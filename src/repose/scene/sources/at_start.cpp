@@ -24,5 +24,6 @@ void DepositedDiscs::check(const Scene&, Problems& problems) const {
 }
 
 std::string DepositedDiscs::describe() const { return fmt::format("{} deposited", count); }
+std::string DepositedSpheres::describe() const { return fmt::format("{} deposited", count); }
 
 }  // namespace repose

@@ -4,20 +4,24 @@
 
 #include "repose/scene/scene.hpp"
 
-#include <array>
+#include <vector>
 
 namespace repose {
 
-/// Grains that fall one by one from random places of a level line.
+/// Grains that fall one by one from random places of a level line, of a disc or of a rectangle.
 class DropSource : public SourceKind {
  public:
   std::int64_t count = 0;
   double rate = unset;                ///< [1/T]
   double height = unset;              ///< [L]
   std::string height_above = "base";  ///< or "apex"
-  double half_width = unset;          ///< [L]
+  std::string opening = "line";       ///< in three dimensions "disc" or "rectangle"
+  double half_width = unset;          ///< [L] of a line or rectangle
+  double half_depth = unset;          ///< [L] of a rectangle, along y
+  double radius = unset;              ///< [L] of a disc
   double x = 0.0;                     ///< [L]
-  std::array<double, 2> velocity{};   ///< [L/T]
+  double y = 0.0;                     ///< [L] in three dimensions
+  Coordinates velocity{};             ///< [L/T]
 
   void keys(const Scene& scene, Parameters& keys) override {
     const double d = scene.grains.diameter;
@@ -26,11 +30,14 @@ class DropSource : public SourceKind {
     keys.number("source.height", height, {100.0 * d, "100 d"}, positive, "L", "height of the centres at release");
     keys.choice("source.height_above", height_above, {"base", "apex"},
                 "the height is above height 0, or above the highest grain that touches something at each release");
-    keys.number("source.half_width", half_width, usual_half_width(scene), not_negative, "L",
-                "grains are released at x +- this");
-    keys.number("source.x", x, any, "L", "centre of the opening");
-    keys.vector("source.velocity", velocity, std::array<double, 2>{0.0, 0.0}, "L/T", "velocity at release");
+    opening_keys(scene, keys);
+    keys.vector("source.velocity", velocity, scene.dimension, Coordinates{}, "L/T", "velocity at release");
   }
+  bool in_dimension(std::int64_t) const override { return true; }
+
+  /// The place [L] of two numbers from 0 to 1, which are spread evenly over the opening; its height is not set.
+  template <int D>
+  Vec<D> place(double first, double second) const;
   void check(const Scene& scene, Problems& problems) const override;
   std::int64_t released() const override { return count; }
   bool above_apex() const override { return height_above == "apex"; }
@@ -40,6 +47,11 @@ class DropSource : public SourceKind {
 
  protected:
   virtual Default usual_half_width(const Scene& scene) const = 0;
+  virtual std::string_view usual_opening() const = 0;  ///< in three dimensions
+
+ private:
+  void opening_keys(const Scene& scene, Parameters& keys);
+  void check_opening(const Scene& scene, Problems& problems) const;
 };
 
 struct PourSource final : KindOf<PourSource, DropSource> {
@@ -47,20 +59,28 @@ struct PourSource final : KindOf<PourSource, DropSource> {
   static constexpr std::string_view meaning = "poured from an opening, each grain at its own time";
 
   std::string describe() const override;
-  std::unique_ptr<Source> start(const Scene& scene, const TimeSteps& steps, std::int64_t first_id) const override;
+  std::unique_ptr<Source<2>> start(const Scene& scene, const TimeSteps& steps, std::int64_t first_id,
+                                   Dimension<2>) const override;
+  std::unique_ptr<Source<3>> start(const Scene& scene, const TimeSteps& steps, std::int64_t first_id,
+                                   Dimension<3>) const override;
 
  protected:
+  std::string_view usual_opening() const override { return "disc"; }
   Default usual_half_width(const Scene& scene) const override;
 };
 
 struct RainSource final : KindOf<RainSource, DropSource> {
   static constexpr std::string_view kind = "rain";
-  static constexpr std::string_view meaning = "rained over a width, many at once";
+  static constexpr std::string_view meaning = "rained over a width or an area, many at once";
 
   std::string describe() const override;
-  std::unique_ptr<Source> start(const Scene& scene, const TimeSteps& steps, std::int64_t first_id) const override;
+  std::unique_ptr<Source<2>> start(const Scene& scene, const TimeSteps& steps, std::int64_t first_id,
+                                   Dimension<2>) const override;
+  std::unique_ptr<Source<3>> start(const Scene& scene, const TimeSteps& steps, std::int64_t first_id,
+                                   Dimension<3>) const override;
 
  protected:
+  std::string_view usual_opening() const override { return "rectangle"; }
   Default usual_half_width(const Scene& scene) const override;
 };
 

@@ -35,6 +35,7 @@ struct LatticeSource final : KindOf<LatticeSource, SourceKind> {
   double fall(const Scene& scene) const override;
   double column(const Scene&) const override;
   std::string describe() const override;
+  using SourceKind::add_grains;
   void add_grains(const Scene& scene, Grains<2>& grains, std::int64_t& id) const override;
 
   bool is_pile() const { return columns == 0; }

@@ -37,7 +37,9 @@ struct SequentialSource final : KindOf<SequentialSource, SourceKind> {
   double expected_end(const Scene& scene) const override;
   double expected_work(const Scene& scene, double time) const override;
   std::string describe() const override;
-  std::unique_ptr<Source> start(const Scene& scene, const TimeSteps& steps, std::int64_t first_id) const override;
+  using SourceKind::start;
+  std::unique_ptr<Source<2>> start(const Scene& scene, const TimeSteps& steps, std::int64_t first_id,
+                                   Dimension<2>) const override;
 };
 
 }  // namespace repose

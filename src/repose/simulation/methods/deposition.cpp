@@ -3,17 +3,20 @@
 #include "repose/methods/deposition/deposition.hpp"
 
 #include "repose/core/random.hpp"
+#include "repose/methods/deposition/spheres.hpp"
 #include "repose/scene/geometry.hpp"
 #include "repose/scene/methods/deposition.hpp"
+#include "repose/scene/sources/at_start.hpp"
 #include "repose/simulation/sources/draw.hpp"
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace repose {
 
-std::unique_ptr<Method<2>> DepositionMethod::make(const Scene& scene) const {
+std::unique_ptr<Method<2>> DepositionMethod::make(const Scene& scene, Dimension<2>) const {
   DepositionSettings settings;
   settings.critical_angle_deg = critical_angle;
   settings.box = make_box(scene);
@@ -23,8 +26,8 @@ std::unique_ptr<Method<2>> DepositionMethod::make(const Scene& scene) const {
   settings.snapped = snaps();
   settings.count = scene.source->released();
   settings.draw = [seed = static_cast<std::uint64_t>(scene.seed),
-                   draw = GrainDraw(scene, Purpose::grain_species, Purpose::grain_size)](std::int64_t k,
-                                                                                         std::span<DroppedDisc> discs) {
+                   draw = GrainDraw<2>(scene, Purpose::grain_species, Purpose::grain_size)](
+                      std::int64_t k, std::span<DroppedDisc> discs) {
     for (auto& disc : discs) {
       const auto index = static_cast<std::uint64_t>(k++);
       const auto [grain, material] = draw(index);
@@ -32,6 +35,33 @@ std::unique_ptr<Method<2>> DepositionMethod::make(const Scene& scene) const {
     }
   };
   return make_deposition(settings);
+}
+
+std::unique_ptr<Method<3>> DepositionMethod::make(const Scene& scene, Dimension<3>) const {
+  SphereDepositionSettings settings;
+  settings.critical_angle_deg = critical_angle;
+  settings.box = make_box<3>(scene);
+  if (scene.box.open()) {
+    // An open base: what falls beside it is lost.
+    settings.box.x_max = settings.box.y_max = std::numeric_limits<double>::infinity();
+    settings.box.x_min = settings.box.y_min = -settings.box.x_max;
+  }
+  if (!scene.base->of_grains()) settings.floor = 0.0;
+  const auto& source = *scene.source.as<DepositedSpheres>();
+  if (source.radius) settings.drop_radius = *source.radius;
+  settings.largest_radius = 0.5 * std::max(scene.largest_drawn(), scene.grains.diameter);
+  settings.count = source.released();
+  settings.draw = [seed = static_cast<std::uint64_t>(scene.seed),
+                   draw = GrainDraw<3>(scene, Purpose::grain_species, Purpose::grain_size)](
+                      std::int64_t k, std::span<DroppedSphere> spheres) {
+    for (auto& sphere : spheres) {
+      const auto index = static_cast<std::uint64_t>(k++);
+      const auto [grain, material] = draw(index);
+      const auto random = [&](std::uint32_t number) { return uniform(seed, Purpose::release_position, index, number); };
+      sphere = {{random(0), random(1)}, grain.radius, grain.mass, material};
+    }
+  };
+  return make_sphere_deposition(settings);
 }
 
 }  // namespace repose

@@ -9,7 +9,7 @@
 
 namespace repose {
 
-std::unique_ptr<Method<2>> HybridMethod::make(const Scene& scene) const {
+std::unique_ptr<Method<2>> HybridMethod::make(const Scene& scene, Dimension<2>) const {
   const double d = scene.grains.diameter;
   const double mass = scene.nominal_mass();
   HybridSettings settings;

@@ -7,18 +7,30 @@
 
 namespace repose {
 
-std::unique_ptr<Method<2>> SoftMethod::make(const Scene& scene) const {
-  SoftSettings<2> settings;
-  settings.time_step = time_step(scene);
-  settings.gravity = {{0.0, -scene.gravity}};
-  settings.box = make_box(scene);
-  settings.walls = make_walls(scene);
-  settings.synchronised = synchronised(scene);
+namespace {
+
+template <int D>
+SoftSettings<D> settings_of(const SoftMethod& method, const Scene& scene) {
+  SoftSettings<D> settings;
+  settings.time_step = method.time_step(scene);
+  settings.gravity = scene.gravity_vector<D>();
+  settings.box = make_box<D>(scene);
+  settings.walls = make_walls<D>(scene);
+  settings.synchronised = method.synchronised(scene);
   settings.audit = scene.output.energy;
-  settings.skin = skin;
-  settings.damping = {local_damping, viscous_damping};
+  settings.skin = method.skin;
+  settings.damping = {method.local_damping, method.viscous_damping};
   settings.smallest_diameter = scene.smallest_diameter();
-  return make_soft<2>(scene.material_laws(), settings);
+  return settings;
+}
+
+}  // namespace
+
+std::unique_ptr<Method<2>> SoftMethod::make(const Scene& scene, Dimension<2>) const {
+  return make_soft<2>(scene.material_laws(), settings_of<2>(*this, scene));
+}
+std::unique_ptr<Method<3>> SoftMethod::make(const Scene& scene, Dimension<3>) const {
+  return make_soft<3>(scene.material_laws(), settings_of<3>(*this, scene));
 }
 
 }  // namespace repose

@@ -37,7 +37,7 @@ std::vector<double> row_places(const RowBase& base, const Scene& scene) {
 }  // namespace
 
 void RowBase::add_grains(const Scene& scene, Grains<2>& grains, std::int64_t& id) const {
-  const auto grain = make_grain(scene, scene.grains.diameter, material);
+  const auto grain = make_grain<2>(scene, scene.grains.diameter, material);
   const auto number = scene.material_number(material);
   for (const double x : row_places(*this, scene)) add_fixed(grain, {{x, 0.0}}, number, grains, id);
 }
@@ -48,7 +48,7 @@ void DepositedBase::add_grains(const Scene& scene, Grains<2>& grains, std::int64
   const auto seed = static_cast<std::uint64_t>(scene.seed);
   const bool periodic = scene.box.periodic();
   const double half = periodic ? scene.box.half_width : half_width;
-  const GrainDraw draw(scene, Purpose::base_species, Purpose::base_size);
+  const GrainDraw<2> draw(scene, Purpose::base_species, Purpose::base_size);
   std::vector<Grain<2>> discs;
   const auto step = [](const Grain<2>& a, const Grain<2>& b) {
     const double apart = a.radius + b.radius;
@@ -57,7 +57,7 @@ void DepositedBase::add_grains(const Scene& scene, Grains<2>& grains, std::int64
   };
   double end = 0.0;  // of the last disc, from the centre of the first, and in a periodic box back to the first
   for (std::uint64_t k = 0;; ++k) {
-    auto disc = make_grain(scene, 2.0 * draw(k).grain.radius, material);
+    auto disc = make_grain<2>(scene, 2.0 * draw(k).grain.radius, material);
     disc.position[1] = -roughness * uniform(seed, Purpose::base_height, k);
     if (!discs.empty()) disc.position[0] = discs.back().position[0] + step(discs.back(), disc);
     const double now = disc.position[0] + (periodic && !discs.empty() ? step(disc, discs.front()) : 0.0);
@@ -77,7 +77,7 @@ void DepositedBase::add_grains(const Scene& scene, Grains<2>& grains, std::int64
 
 /// Touching discs from side to side.
 void ContiguousBase::add_grains(const Scene& scene, Grains<2>& grains, std::int64_t& id) const {
-  const auto grain = make_grain(scene, scene.grains.diameter, material);
+  const auto grain = make_grain<2>(scene, scene.grains.diameter, material);
   const auto number = scene.material_number(material);
   for (std::int64_t k = 0; k < count; ++k) {
     const double x = (static_cast<double>(k) + 0.5) * scene.grains.diameter - reach(scene);
@@ -119,7 +119,7 @@ void DisorderedBase::add_grains(const Scene& scene, Grains<2>& grains, std::int6
   }
   for (auto& x : places) x = x >= half ? x - 2.0 * half : x;
   std::sort(places.begin(), places.end());
-  const auto grain = make_grain(scene, d);
+  const auto grain = make_grain<2>(scene, d);
   for (const double x : places) add_fixed(grain, {{x, 0.0}}, 0, grains, id);
 }
 

@@ -4,7 +4,18 @@
 
 namespace repose {
 
-GrainDraw::GrainDraw(const Scene& scene, Purpose species, Purpose size)
+namespace {
+
+/// The mean mass of grains of these sizes over that of one of diameter d.
+template <int D>
+double mean_mass(const SizeDistribution& sizes, double mass, double d) {
+  return D == 2 ? mass * sizes.mean_square() / (d * d) : mass * sizes.mean_cube() / (d * d * d);
+}
+
+}  // namespace
+
+template <int D>
+GrainDraw<D>::GrainDraw(const Scene& scene, Purpose species, Purpose size)
     : seed_(static_cast<std::uint64_t>(scene.seed)),
       species_(species),
       size_(size),
@@ -20,13 +31,14 @@ GrainDraw::GrainDraw(const Scene& scene, Purpose species, Purpose size)
     const auto sizes = one.sizes->distribution();
     const double mass = scene.mass_of(d, one.material);
     // The share by number is the share by mass over the mean mass.
-    sum += scene.grains.fractions_by == "mass" ? one.fraction / (mass * sizes.mean_square() / (d * d)) : one.fraction;
+    sum += scene.grains.fractions_by == "mass" ? one.fraction / mean_mass<D>(sizes, mass, d) : one.fraction;
     kinds_.push_back({sizes, scene.material_number(one.material), mass, sum});
   }
   for (auto& kind : kinds_) kind.below /= sum;
 }
 
-DrawnGrain GrainDraw::operator()(std::uint64_t index) const {
+template <int D>
+DrawnGrain<D> GrainDraw<D>::operator()(std::uint64_t index) const {
   std::size_t k = 0;
   if (kinds_.size() > 1) {
     const double u = uniform(seed_, species_, index);
@@ -35,13 +47,17 @@ DrawnGrain GrainDraw::operator()(std::uint64_t index) const {
   const auto& kind = kinds_[k];
   double diameter = kind.sizes.quantile(uniform(seed_, size_, index));
   if (polydispersity_ > 0.0) diameter = diameter_ * (1.0 - polydispersity_ * uniform(seed_, size_, index));
-  DrawnGrain drawn;
+  DrawnGrain<D> drawn;
   drawn.material = kind.material;
   drawn.grain.radius = 0.5 * diameter;
   const double size = diameter / diameter_;
-  drawn.grain.mass = kind.mass * (size * size);
+  const double discs = size * size;
+  drawn.grain.mass = kind.mass * (D == 3 ? discs * size : discs);
   drawn.grain.inverse_mass = 1.0 / drawn.grain.mass;
   return drawn;
 }
+
+template class GrainDraw<2>;
+template class GrainDraw<3>;
 
 }  // namespace repose

@@ -12,18 +12,20 @@
 namespace repose {
 
 /// A grain that was drawn, and the number of its material.
+template <int D>
 struct DrawnGrain {
-  Grain<2> grain;  ///< at rest at the origin
+  Grain<D> grain;  ///< at rest at the origin
   std::uint16_t material = 0;
 };
 
 /// Draws grains from the species of a scene, or as its [grains] says. The k-th grain depends on the seed and k alone.
+template <int D = 2>
 class GrainDraw {
  public:
   /// `species` and `size` are what the random numbers are for.
   GrainDraw(const Scene& scene, Purpose species, Purpose size);
 
-  DrawnGrain operator()(std::uint64_t index) const;
+  DrawnGrain<D> operator()(std::uint64_t index) const;
 
  private:
   struct Kind {

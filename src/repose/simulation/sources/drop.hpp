@@ -11,9 +11,11 @@
 
 namespace repose {
 
-/// Grains that fall one by one from random places of a level line: number k is due at time k / rate. A grain whose
-/// place is taken tries others, and waits where there is none; the later ones wait behind it.
-class Drop : public Source {
+/// Grains that fall one by one from random places of an opening, a level line, disc or rectangle: number k is due at
+/// time k / rate. A grain whose place is taken tries others, and waits where there is none; the later ones wait behind
+/// it.
+template <int D>
+class Drop : public Source<D> {
  public:
   Drop(const Scene& scene, const DropSource& source, const TimeSteps& steps, std::int64_t first_id);
 
@@ -21,7 +23,7 @@ class Drop : public Source {
   std::int64_t released() const override { return released_; }
   std::int64_t count() const override { return source_.count; }
   double due() const override;
-  bool release(Grains<2>& grains, double time, const SourceView& view) override;
+  bool release(Grains<D>& grains, double time, const SourceView& view) override;
   double waiting(double time) const override;
   std::string buried() const override;
   void exchange(Archive& archive) override;
@@ -39,8 +41,8 @@ class Drop : public Source {
   double planned() const { return static_cast<double>(released_) / source_.rate; }
 
   std::int64_t first_id_;
-  GrainDraw draw_;
-  std::vector<Wall<2>> walls_;
+  GrainDraw<D> draw_;
+  std::vector<Wall<D>> walls_;
   double reach_ = 1.0;  // two grains act on each other within this times the sum of their radii
   std::int64_t released_ = 0;
   double retry_ = 0.0;       // [T] of the next try while waiting for room

@@ -4,35 +4,44 @@
 
 namespace repose {
 
-Grain<2> make_grain(const Scene& scene, double diameter, const std::string& material) {
-  Grain<2> grain;
+template <int D>
+Grain<D> make_grain(const Scene& scene, double diameter, const std::string& material) {
+  Grain<D> grain;
   grain.radius = 0.5 * diameter;
   grain.mass = scene.mass_of(diameter, material);
   grain.inverse_mass = 1.0 / grain.mass;
   return grain;
 }
 
-Grains<2> initial_grains(const Scene& scene) {
-  Grains<2> grains;
+template <int D>
+Grains<D> initial_grains(const Scene& scene) {
+  Grains<D> grains;
   std::int64_t id = 0;
   scene.base->add_grains(scene, grains, id);
-  add_start(scene, grains, id);
+  add_start<D>(scene, grains, id);
   scene.source->add_grains(scene, grains, id);
   for (const auto& placed : scene.placed) {
-    auto grain = make_grain(scene, placed.diameter, placed.material);
-    for (int k = 0; k < 2; ++k) {
-      grain.position[k] = placed.position[static_cast<std::size_t>(k)];
-      grain.velocity[k] = placed.velocity[static_cast<std::size_t>(k)];
+    auto grain = make_grain<D>(scene, placed.diameter, placed.material);
+    grain.position = vec<D>(placed.position);
+    grain.velocity = vec<D>(placed.velocity);
+    if constexpr (D == 2) {
+      grain.rim_velocity = placed.spin[0] * grain.radius;
+    } else {
+      grain.rim_velocity = vec<3>(placed.spin) * grain.radius;
     }
-    grain.rim_velocity = placed.spin * grain.radius;
     if (placed.fixed) {
       grain.inverse_mass = 0.0;
       grain.velocity = {};
-      grain.rim_velocity = 0.0;
+      grain.rim_velocity = {};
     }
     grains.add(grain, id++, false, scene.material_number(placed.material));
   }
   return grains;
 }
+
+template Grain<2> make_grain(const Scene&, double, const std::string&);
+template Grain<3> make_grain(const Scene&, double, const std::string&);
+template Grains<2> initial_grains(const Scene&);
+template Grains<3> initial_grains(const Scene&);
 
 }  // namespace repose

@@ -27,7 +27,7 @@ void add_pile(const LatticeSource& source, const Scene& scene, Grains<2>& grains
   const double lowest = source.fixed_base ? 0.0 : on_base;
   const double middle = source.middle(scene);
   const auto counts = source.row_counts();
-  const GrainDraw draw(scene, Purpose::grain_species, Purpose::grain_size);
+  const GrainDraw<2> draw(scene, Purpose::grain_species, Purpose::grain_size);
   std::uint64_t index = 0;
   for (std::size_t row = source.fixed_base ? 1 : 0; row < counts.size(); ++row) {
     for (std::int64_t k = 0; k < counts[row]; ++k) {
@@ -52,7 +52,7 @@ void add_block(const LatticeSource& source, const Scene& scene, Grains<2>& grain
   // The first row stands a quarter of a pitch to the left, the second as far to the right.
   double first = source.x - 0.5 * static_cast<double>(source.columns - 1) * pitch - 0.25 * pitch;
   if (nests) first = snapped(first, 0.5 * pitch, pitch);
-  const GrainDraw draw(scene, Purpose::grain_species, Purpose::grain_size);
+  const GrainDraw<2> draw(scene, Purpose::grain_species, Purpose::grain_size);
   for (std::int64_t row = 0; row < source.rows; ++row) {
     for (std::int64_t k = 0; k < source.columns; ++k) {
       const auto index = static_cast<std::uint64_t>(row * source.columns + k);

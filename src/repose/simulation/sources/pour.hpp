@@ -7,9 +7,10 @@
 namespace repose {
 
 /// Pours grains from an opening, each at its own time.
-class Pour final : public Drop {
+template <int D>
+class Pour final : public Drop<D> {
  public:
-  using Drop::Drop;
+  using Drop<D>::Drop;
 };
 
 }  // namespace repose

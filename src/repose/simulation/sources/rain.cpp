@@ -12,12 +12,21 @@ constexpr double part = 0.1;  // of the time in which a grain falls by half its 
 
 }  // namespace
 
-Rain::Rain(const Scene& scene, const DropSource& source, const TimeSteps& steps, std::int64_t first_id)
-    : Drop(scene, source, steps, first_id),
+template <int D>
+Rain<D>::Rain(const Scene& scene, const DropSource& source, const TimeSteps& steps, std::int64_t first_id)
+    : Drop<D>(scene, source, steps, first_id),
       moments_(steps.cut(part * std::sqrt(scene.grains.diameter / scene.gravity)), steps) {}
 
-std::unique_ptr<Source> RainSource::start(const Scene& scene, const TimeSteps& steps, std::int64_t first_id) const {
-  return std::make_unique<Rain>(scene, *this, steps, first_id);
+template class Rain<2>;
+template class Rain<3>;
+
+std::unique_ptr<Source<2>> RainSource::start(const Scene& scene, const TimeSteps& steps, std::int64_t first_id,
+                                             Dimension<2>) const {
+  return std::make_unique<Rain<2>>(scene, *this, steps, first_id);
+}
+std::unique_ptr<Source<3>> RainSource::start(const Scene& scene, const TimeSteps& steps, std::int64_t first_id,
+                                             Dimension<3>) const {
+  return std::make_unique<Rain<3>>(scene, *this, steps, first_id);
 }
 
 }  // namespace repose

@@ -4,15 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace repose {
 
-Room::Room(const Grains<2>& grains, const Box<2>& box, double height, double largest, double reach)
+template <int D>
+Room<D>::Room(const Grains<D>& grains, const Box<D>& box, double height, double largest, double reach)
     : box_(box), reach_(reach) {
   double widest = largest;
-  std::vector<const Grain<2>*> near;
+  std::vector<const Grain<D>*> near;
   for (const auto& grain : grains.line) {
-    if (std::fabs(grain.position[1] - height) >= reach * (grain.radius + largest)) continue;
+    if (std::fabs(grain.position[up<D>] - height) >= reach * (grain.radius + largest)) continue;
     near.push_back(&grain);
     widest = std::max(widest, grain.radius);
   }
@@ -20,40 +22,70 @@ Room::Room(const Grains<2>& grains, const Box<2>& box, double height, double lar
   for (const auto* grain : near) add(*grain);
 }
 
-long Room::cell_of(double x) const { return static_cast<long>(std::floor(x / cell_)); }
-
-void Room::put(const Grain<2>& grain) { cells_[cell_of(grain.position[0])].push_back(grain); }
-
-void Room::add(const Grain<2>& grain) {
-  auto image = grain;
-  image.position = box_.wrapped(grain.position);
-  put(image);
-  if (!box_.periodic) return;
-  // What lies near one end is also beyond the other.
-  const double x = image.position[0];
-  if (x - box_.x_min < cell_) {
-    image.position[0] = x + box_.width();
-    put(image);
+template <int D>
+typename Room<D>::Cell Room<D>::cell_of(const Vec<D>& place) const {
+  Cell cell;
+  for (int axis = 0; axis < D - 1; ++axis) {
+    cell[static_cast<std::size_t>(axis)] = static_cast<long>(std::floor(place[axis] / cell_));
   }
-  if (box_.x_max - x < cell_) {
-    image.position[0] = x - box_.width();
-    put(image);
-  }
+  return cell;
 }
 
-bool Room::is_free(const Grain<2>& grain) const {
+template <int D>
+void Room<D>::put(const Grain<D>& grain) {
+  cells_[cell_of(grain.position)].push_back(grain);
+}
+
+template <int D>
+void Room<D>::add(const Grain<D>& grain) {
+  auto image = grain;
+  image.position = box_.wrapped(grain.position);
+  std::vector<Grain<D>> images{image};
+  // What lies near one end is also beyond the other.
+  const auto repeat = [&](int axis, double low, double high) {
+    for (std::size_t k = 0, count = images.size(); k < count; ++k) {
+      const double place = images[k].position[axis];
+      for (const double shift : {high - low, low - high}) {
+        const bool near = shift > 0.0 ? place - low < cell_ : high - place < cell_;
+        if (!near) continue;
+        images.push_back(images[k]);
+        images.back().position[axis] = place + shift;
+      }
+    }
+  };
+  if (box_.periodic) repeat(0, box_.x_min, box_.x_max);
+  if constexpr (D == 3) {
+    if (box_.periodic_y) repeat(1, box_.y_min, box_.y_max);
+  }
+  for (const auto& one : images) put(one);
+}
+
+template <int D>
+bool Room<D>::is_free(const Grain<D>& grain) const {
   const auto place = box_.wrapped(grain.position);
-  const long middle = cell_of(place[0]);
-  for (long cell = middle - 1; cell <= middle + 1; ++cell) {
+  const auto middle = cell_of(place);
+  const auto free_in = [&](const Cell& cell) {
     const auto found = cells_.find(cell);
-    if (found == cells_.end()) continue;
-    for (const auto& other : found->second) {
-      const Vec<2> d = place - other.position;
+    if (found == cells_.end()) return true;
+    return std::none_of(found->second.begin(), found->second.end(), [&](const auto& other) {
+      const Vec<D> d = place - other.position;
       const double near = reach_ * (grain.radius + other.radius);
-      if (dot(d, d) < near * near) return false;
+      return dot(d, d) < near * near;
+    });
+  };
+  for (long x = middle[0] - 1; x <= middle[0] + 1; ++x) {
+    if constexpr (D == 2) {
+      if (!free_in({x})) return false;
+    } else {
+      for (long y = middle[1] - 1; y <= middle[1] + 1; ++y) {
+        if (!free_in({x, y})) return false;
+      }
     }
   }
   return true;
 }
+
+template class Room<2>;
+template class Room<3>;
 
 }  // namespace repose

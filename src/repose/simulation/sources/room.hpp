@@ -5,31 +5,35 @@
 #include "repose/core/box.hpp"
 #include "repose/core/grains.hpp"
 
-#include <unordered_map>
+#include <array>
+#include <map>
 #include <vector>
 
 namespace repose {
 
-/// Tells where along a line of one height there is room for another grain. One pass over all grains finds those near
-/// the line; each question then concerns neighbours only.
+/// Finds where on a level of one height there is room for another grain. One pass over all grains finds those near the
+/// level; each question then concerns neighbours only.
+template <int D>
 class Room {
  public:
   /// For grains of up to `largest` radius [L] at `height` [L]; two grains keep `reach` times the sum of their radii.
-  Room(const Grains<2>& grains, const Box<2>& box, double height, double largest, double reach);
+  Room(const Grains<D>& grains, const Box<D>& box, double height, double largest, double reach);
 
-  bool is_free(const Grain<2>& grain) const;
+  bool is_free(const Grain<D>& grain) const;
 
-  /// Takes a grain in that has been put on the line.
-  void add(const Grain<2>& grain);
+  /// Takes a grain in that has been put on the level.
+  void add(const Grain<D>& grain);
 
  private:
-  long cell_of(double x) const;
-  void put(const Grain<2>& grain);
+  using Cell = std::array<long, D - 1>;
 
-  Box<2> box_;
+  Cell cell_of(const Vec<D>& place) const;
+  void put(const Grain<D>& grain);
+
+  Box<D> box_;
   double reach_;
   double cell_;  // [L] at least the distance that any two keep
-  std::unordered_map<long, std::vector<Grain<2>>> cells_;
+  std::map<Cell, std::vector<Grain<D>>> cells_;
 };
 
 }  // namespace repose

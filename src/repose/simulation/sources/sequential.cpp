@@ -130,8 +130,8 @@ void Sequential::exchange(Archive& archive) {
   archive.value("source/tries", tries_);
 }
 
-std::unique_ptr<Source> SequentialSource::start(const Scene& scene, const TimeSteps& steps,
-                                                std::int64_t first_id) const {
+std::unique_ptr<Source<2>> SequentialSource::start(const Scene& scene, const TimeSteps& steps, std::int64_t first_id,
+                                                   Dimension<2>) const {
   return std::make_unique<Sequential>(scene, *this, steps, first_id);
 }
 

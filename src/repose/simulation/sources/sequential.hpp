@@ -14,7 +14,7 @@ namespace repose {
 /// Lays grains down one by one: each appears at a random place, a little above where it first touches something as it
 /// falls, with the velocity of a grain that has fallen for long under the limit of speed. The next one follows once all
 /// have been at rest for three steps, which are equal. Source: Bratberg (2003), paper one.
-class Sequential final : public Source {
+class Sequential final : public Source<2> {
  public:
   Sequential(const Scene& scene, const SequentialSource& source, const TimeSteps& steps, std::int64_t first_id);
 
@@ -37,7 +37,7 @@ class Sequential final : public Source {
   const SequentialSource& source_;
   TimeSteps steps_;
   std::int64_t first_id_;
-  GrainDraw draw_;
+  GrainDraw<2> draw_;
   std::vector<Wall<2>> walls_;
   std::int64_t released_ = 0;
   double next_ = 0.0;        // [T] of the next check

@@ -24,6 +24,7 @@ struct SourceView {
 
 /// Where grains come from during a run. All that changes is shown to `exchange`; everything random depends on the seed
 /// and the number of the grain alone.
+template <int D>
 class Source {
  public:
   virtual ~Source() = default;
@@ -38,7 +39,7 @@ class Source {
 
   /// Releases the grains that are due at this time [T] and for which there is room between the others and the walls;
   /// true if any was. Grains without room are due again after a short wait.
-  virtual bool release(Grains<2>& grains, double time, const SourceView& view) = 0;
+  virtual bool release(Grains<D>& grains, double time, const SourceView& view) = 0;
 
   /// How long [T] a grain has been due without finding room.
   virtual double waiting(double time) const = 0;
@@ -53,6 +54,9 @@ class Source {
 };
 
 /// The source of a scene; `first_id` is that of the first grain it releases.
-std::unique_ptr<Source> make_source(const Scene& scene, const TimeSteps& steps, std::int64_t first_id);
+template <int D = 2>
+std::unique_ptr<Source<D>> make_source(const Scene& scene, const TimeSteps& steps, std::int64_t first_id) {
+  return scene.source->start(scene, steps, first_id, Dimension<D>{});
+}
 
 }  // namespace repose

@@ -8,13 +8,14 @@
 
 namespace repose {
 
-void add_start(const Scene& scene, Grains<2>& grains, std::int64_t& id) {
+template <int D>
+void add_start(const Scene& scene, Grains<D>& grains, std::int64_t& id) {
   if (scene.start.from.empty()) return;
   const auto& names = scene.material_names();
-  const auto state = state_at_start(scene);
+  const auto state = state_at_start<D>(scene);
   const bool of_run = !state.scene.empty();
   for (const auto& row : state.grains) {
-    auto grain = make_grain(scene, 2.0 * row.radius, names.at(row.material));
+    auto grain = make_grain<D>(scene, 2.0 * row.radius, names.at(row.material));
     if (row.mass) grain.mass = *row.mass;
     grain.inverse_mass = row.fixed ? 0.0 : 1.0 / grain.mass;
     grain.position = row.position;
@@ -28,10 +29,11 @@ void add_start(const Scene& scene, Grains<2>& grains, std::int64_t& id) {
   }
 }
 
-Contacts<2> contacts_at_start(const Scene& scene) {
-  Contacts<2> kept;
+template <int D>
+Contacts<D> contacts_at_start(const Scene& scene) {
+  Contacts<D> kept;
   if (!scene.start.histories) return kept;
-  const auto state = state_at_start(scene);
+  const auto state = state_at_start<D>(scene);
   const auto names = wall_names(scene);
   for (auto contact : state.contacts.list) {
     if (contact.second < 0) {
@@ -46,5 +48,10 @@ Contacts<2> contacts_at_start(const Scene& scene) {
   kept.sort();
   return kept;
 }
+
+template void add_start(const Scene&, Grains<2>&, std::int64_t&);
+template void add_start(const Scene&, Grains<3>&, std::int64_t&);
+template Contacts<2> contacts_at_start(const Scene&);
+template Contacts<3> contacts_at_start(const Scene&);
 
 }  // namespace repose

@@ -139,8 +139,11 @@ class FusedKernel {
     sweep.laws = law_;
     sweep.material = one_material_ ? nullptr : grains.material.data();
     sweep.materials = in.laws.materials();
-    sweep.box_width = box.periodic ? box.width() : 0.0;
-    sweep.half_width = box.periodic ? 0.5 * box.width() : std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < D - 1; ++axis) {
+      const bool wraps = wraps_along(box, axis);
+      sweep.periods.length[axis] = wraps ? length_along(box, axis) : 0.0;
+      sweep.periods.half[axis] = wraps ? 0.5 * length_along(box, axis) : std::numeric_limits<double>::infinity();
+    }
     sweep.time_step = in.settings.time_step;
     sweep.kick = in.kick;
     sweep.before = in.step > 0 ? 0.5 * in.settings.time_step : 0.0;

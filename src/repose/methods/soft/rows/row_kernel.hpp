@@ -97,12 +97,16 @@ REPOSE_FN void store_tangents(const Tangent<D, Numbers>& tangents, Tangent<D>* t
 /// out of reach has neither. `Times` is the step [T], or HalfSteps where velocities are those of the time of the force.
 template <int D, class Law, class Times>
 REPOSE_FN void push_pairs(const Law& law, const Line<D>* line, const std::uint32_t* first, const std::uint32_t* second,
-                          double box_width, double half_width, const Times& times, Tangent<D>* slip, RowSum<D>* push) {
+                          const Periods<D>& periods, const Times& times, Tangent<D>* slip, RowSum<D>* push) {
   auto motion = motion_of<D>(line, first, second);
-  if (box_width > 0.0) {
-    auto& x = motion.separation[0];
-    x = choose(x > Numbers(half_width), x - box_width, x);
-    x = choose(x < Numbers(-half_width), x + box_width, x);
+  for (int axis = 0; axis < D - 1; ++axis) {
+    const double length = periods.length[axis];
+    const double half = periods.half[axis];
+    if (length > 0.0) {
+      auto& x = motion.separation[axis];
+      x = choose(x > Numbers(half), x - length, x);
+      x = choose(x < Numbers(-half), x + length, x);
+    }
   }
   const Numbers distance2 = dot(motion.separation, motion.separation);
   const Numbers within = reach(law.normal) * motion.radii;
@@ -155,8 +159,7 @@ REPOSE_FN void push_materials(const RowSweep<D, Law>& sweep, const std::uint32_t
     Tangent<D> slip_by_law[width];
     RowSum<D> push_by_law[width];
     for (std::size_t n = 0; n < width; ++n) slip_by_law[n] = before[n];
-    push_pairs<D>(sweep.laws[law[k]], sweep.line, first, second, sweep.box_width, sweep.half_width, times, slip_by_law,
-                  push_by_law);
+    push_pairs<D>(sweep.laws[law[k]], sweep.line, first, second, sweep.periods, times, slip_by_law, push_by_law);
     for (std::size_t n = k; n < width; ++n) {
       if (law[n] != law[k]) continue;
       slip[n] = slip_by_law[n];
@@ -177,8 +180,7 @@ REPOSE_FN void with_times(const RowSweep<D, Law>& sweep, const Use& use) {
 template <int D, class Law>
 void push_packs(const RowSweep<D, Law>& sweep, std::size_t pair, std::size_t packs, RowSum<D>* push) {
   const Law law = sweep.laws[0];
-  const double box_width = sweep.box_width;
-  const double half_width = sweep.half_width;
+  const Periods<D> periods = sweep.periods;
   const Line<D>* const line = sweep.line;
   const std::uint32_t* first = sweep.first + pair;
   const std::uint32_t* second = sweep.second + pair;
@@ -187,7 +189,7 @@ void push_packs(const RowSweep<D, Law>& sweep, std::size_t pair, std::size_t pac
       sweep, [&](const auto times) __attribute__((always_inline)) {
         for (std::size_t p = 0; p < packs; ++p) {
           if (sweep.material == nullptr) {
-            push_pairs<D>(law, line, first, second, box_width, half_width, times, slip, push);
+            push_pairs<D>(law, line, first, second, periods, times, slip, push);
           } else {
             push_materials(sweep, first, second, times, slip, push);
           }

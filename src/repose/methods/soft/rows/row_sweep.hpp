@@ -35,6 +35,13 @@ struct RowArrival {
   const RowSum<D>* push;  ///< on the first grain
 };
 
+/// The level axes of a box, x and in 3D y too, for the nearest image along each.
+template <int D>
+struct Periods {
+  double length[D - 1];  // NOLINT [L] 0 unless the axis is periodic
+  double half[D - 1];    // NOLINT [L] infinity unless the axis is periodic
+};
+
 /// The input and output of one sweep of a fused kernel over the rows of a member. It has plain pointers only: sources
 /// compiled for an instruction set must not instantiate functions that others use too.
 template <int D, class Law>
@@ -42,8 +49,7 @@ struct RowSweep {
   const Law* laws;                ///< of every pair of materials
   const std::uint16_t* material;  ///< of each grain; null if the first law is that of all pairs
   std::size_t materials;
-  double box_width;    ///< [L] 0 unless x is periodic
-  double half_width;   ///< [L] infinity unless x is periodic
+  Periods<D> periods;
   double time_step;    ///< [T]
   double kick;         ///< [T] half a step in the first step, then a step
   double before;       ///< [T] from the time of the displacements to that of the force; synchronised velocities only
