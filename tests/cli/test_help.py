@@ -95,7 +95,7 @@ def test_all_examples_run_one_after_the_other(lab):
         words = shlex.split(command)
         if words[1] == "plot" and "--only" not in words:  # one picture stands for all
             command += " --only " + ("theory" if "--theory" in words else "angle" if words[2] == "spacing" else "heap")
-        prefix = "timeout --preserve-status --signal INT 2 " if words[1] == "view" else ""  # which does not end by itself
+        prefix = "timeout --foreground --preserve-status --signal INT 2 " if words[1] == "view" else ""  # which does not end by itself
         shell = f'repose() {{ {prefix}{shlex.quote(PROGRAM)} "$@"; }}\n{command}'
         result = subprocess.run(["bash", "-c", shell], cwd=lab.path, capture_output=True, text=True, timeout=LIMIT)
         assert result.returncode == 0, f"{command}: {result.stderr}"

@@ -19,7 +19,7 @@ int act(const SceneOptions& options) {
   say("{}{}", describe(scene), traits.force_laws ? describe_contacts(scene) : "");
   for (const auto& warning : scene.start.warnings) say("warning          {}\n", warning);
   const double work = expected_work(scene, expected_end(scene));
-  say("cost             about {:.2g} s of one core, {:.2g} GB of memory\n", work / traits.typical_speed,
+  say("cost             about {:.2g} s of one core, {:.2g} GB of memory\n", work / expected_speed(scene),
       expected_memory(scene) / 1e9);
   check_memory(scene, options.file);
   return 0;

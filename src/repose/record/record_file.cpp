@@ -18,6 +18,7 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
 #include <stdexcept>
 
 namespace repose {
@@ -34,6 +35,16 @@ Record<D> read_header(const Hdf5Reader& file) {
     throw InputError(fmt::format("{}: {}", file.path(), error.what()));
   }
   return record;
+}
+
+void require_files(const std::string& folder, std::initializer_list<const char*> names) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error)) throw InputError(fmt::format("{}: no such folder", folder));
+  for (const auto* name : names) {
+    if (!std::filesystem::exists(std::filesystem::path(folder) / name, error)) {
+      throw InputError(fmt::format("{}: holds no run: no {}", folder, name));
+    }
+  }
 }
 
 std::string kept_scene(const Hdf5Reader& file) {
@@ -161,6 +172,7 @@ RunFacts read_run_facts(const std::string& folder) {
 }
 
 std::int64_t run_dimension(const std::string& folder) {
+  require_files(folder, {"run.h5"});
   const Hdf5Reader file(folder + "/run.h5");
   check_version(file);
   return dimension_of(file);
@@ -179,13 +191,7 @@ std::string read_run_scene(const std::string& folder) {
 
 template <int D>
 Record<D> read_last_state(const std::string& folder) {
-  std::error_code error;
-  if (!std::filesystem::is_directory(folder, error)) throw InputError(fmt::format("{}: no such folder", folder));
-  for (const auto* name : {"scene.toml", "run.h5"}) {
-    if (!std::filesystem::exists(std::filesystem::path(folder) / name, error)) {
-      throw InputError(fmt::format("{}: holds no run: no {}", folder, name));
-    }
-  }
+  require_files(folder, {"scene.toml", "run.h5"});
   const Hdf5Reader file(folder + "/run.h5");
   check_version(file);
   check_dimension<D>(file);

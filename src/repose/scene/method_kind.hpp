@@ -28,7 +28,7 @@ struct MethodTraits {
   bool keeps_energy = false;   ///< can keep the energy budget
   bool collides = false;       ///< counts hard collisions and contacts that turn soft
   double contact_gap = 1e-9;   ///< [mean diameters] closer grains touch in a packing, unless the scene says otherwise
-  double typical_speed = 1e7;  ///< grain-steps per second of one core, roughly
+  double typical_speed = 1e7;  ///< grain-steps of discs per second of one core, roughly
 
   /// Contacts carry forces, and have laws in the scene.
   bool has_forces() const { return force_laws || impulse_laws; }

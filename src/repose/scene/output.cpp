@@ -54,11 +54,14 @@ void file_keys(Scene& scene, Parameters& keys) {
   }
 }
 
+void surface_keys(Scene& scene, Parameters& keys) {
+  keys.number("analysis.bin_width", scene.analysis.bin_width, {2.0 * scene.grains.diameter, "2 d"}, positive, "L",
+              "bin width of the surface profile");
+}
+
 void force_keys(Scene& scene, Parameters& keys) {
   auto& analysis = scene.analysis;
   const double d = scene.grains.diameter;
-  keys.number("analysis.bin_width", analysis.bin_width, {2.0 * d, "2 d"}, positive, "L",
-              "bin width of the surface profile");
   keys.choice("analysis.force_scale", analysis.force_scale,
               {scene.gravity > 0.0 ? "weight" : "mean", "\"weight\"; \"mean\" without gravity"},
               {{"weight", "of a nominal grain"},
@@ -128,6 +131,8 @@ void output_keys(Scene& scene, Parameters& keys) {
   const auto traits = scene.method->traits();
   if (traits.follows_time) stop_keys(scene.stop, keys);
   file_keys(scene, keys);
+  // Deposited spheres have a surface, deposited discs none that is measured.
+  if (traits.has_forces() || scene.dimension == 3) surface_keys(scene, keys);
   if (traits.has_forces()) force_keys(scene, keys);
   packing_keys(scene, keys);
 }
@@ -148,13 +153,15 @@ void check_force_scale(const Scene& scene, Problems& problems) {
 
 void check_analysis(const Scene& scene, Problems& problems) {
   check_slab(scene, problems);
-  if (!scene.method->traits().has_forces() || !problems.sound("grains.diameter")) return;
+  if (!problems.sound("grains.diameter")) return;
   const auto check_length = [&](const std::string& key, double length, double least, double most) {
     const double in_diameters = length / scene.grains.diameter;
     if (!problems.sound(key) || (in_diameters >= least && in_diameters <= most)) return;
     problems.problem(key, fmt::format(" = {}: must be from {} to {} diameters", length, least, most));
   };
-  check_length("analysis.bin_width", scene.analysis.bin_width, 0.01, 1e6);
+  const bool forces = scene.method->traits().has_forces();
+  if (forces || scene.dimension == 3) check_length("analysis.bin_width", scene.analysis.bin_width, 0.01, 1e6);
+  if (!forces) return;
   check_length("analysis.base_bin", scene.analysis.base_bin, 0.01, 1e6);
   check_length("analysis.field_width", scene.analysis.field_width, 0.05, 1e4);
 }

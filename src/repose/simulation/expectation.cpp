@@ -39,6 +39,10 @@ double expected_work(const Scene& scene, double time) {
   return (grains_at_start(scene).moving * time + scene.source->expected_work(scene, time)) / scene.time_step();
 }
 
+double expected_speed(const Scene& scene) {
+  return scene.method->traits().typical_speed / (scene.dimension == 3 ? 4.0 : 1.0);
+}
+
 double expected_memory(const Scene& scene) {
   constexpr double of_program = 5e7;
   constexpr double of_grain = 2000.0;
@@ -49,7 +53,7 @@ double expected_memory(const Scene& scene) {
   double memory = of_program + of_grain * grains;
   if (!traits.follows_time) return memory;
   const double end = expected_end(scene);
-  const double seconds = expected_work(scene, end) / traits.typical_speed;
+  const double seconds = expected_work(scene, end) / expected_speed(scene);
   const double reached = end * std::min(1.0, day / std::max(seconds, 1.0));
   const auto times = [&](double interval) {
     return interval > 0.0 ? reached / std::max(interval, scene.time_step()) : 0.0;
