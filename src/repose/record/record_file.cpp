@@ -184,6 +184,7 @@ void refuse_spheres(const std::string& folder, const std::string& what) {
 }
 
 std::string read_run_scene(const std::string& folder) {
+  require_files(folder, {"run.h5"});
   const Hdf5Reader file(folder + "/run.h5");
   check_version(file);
   return kept_scene(file);

@@ -21,7 +21,7 @@ std::string DepositionMethod::describe(const Scene& scene) const {
                      scene.box.periodic() ? "periodic"
                      : scene.box.open()   ? "open"
                                           : "between walls",
-                     critical_angle, scene.dimension == 2 && snaps() ? ", places snapped to 2^-40 radii" : "");
+                     critical_angle, snaps() ? ", places snapped to 2^-40 radii" : "");
 }
 
 }  // namespace repose

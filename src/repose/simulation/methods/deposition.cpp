@@ -46,7 +46,13 @@ std::unique_ptr<Method<3>> DepositionMethod::make(const Scene& scene, Dimension<
     settings.box.x_max = settings.box.y_max = std::numeric_limits<double>::infinity();
     settings.box.x_min = settings.box.y_min = -settings.box.x_max;
   }
-  if (!scene.base->of_grains()) settings.floor = 0.0;
+  // In a closed box a sphere that slips through the base comes to rest below it.
+  if (!scene.base->of_grains()) {
+    settings.floor = 0.0;
+  } else if (!scene.box.open()) {
+    settings.floor = -0.5 * scene.grains.diameter;
+  }
+  settings.snapped = snaps();
   const auto& source = *scene.source.as<DepositedSpheres>();
   if (source.radius) settings.drop_radius = *source.radius;
   settings.largest_radius = 0.5 * std::max(scene.largest_drawn(), scene.grains.diameter);
