@@ -25,7 +25,7 @@ struct Contact {
   double normal_force = 0.0;      ///< [M L/T^2]
   Tangent<D> tangential_force{};  ///< [M L/T^2]
   Tangent<D> slip{};              ///< [L] slip displacement: tangential displacement accumulated by the contact
-  Tangent<D> rolling{};           ///< [M L/T^2] rolling torque on the first over the roll radius
+  Tangent<D> rolling{};           ///< [M L/T^2] torque on the first over the roll radius; twisting too
   double first_lever = 0.0;       ///< [L] from the centre of the first partner to the contact point
   bool sliding = false;           ///< at the Coulomb limit
 };
