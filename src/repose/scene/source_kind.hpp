@@ -32,7 +32,7 @@ class SourceKind : public AnyKind<SourceKind> {
 
   virtual std::int64_t released() const { return 0; }  ///< grains that come while it runs
   virtual std::int64_t placed() const { return 0; }    ///< grains that exist at the start
-  /// The release height is above the highest grain that touches something, not above height 0.
+  /// The release height is above the highest grain of the heap, not above height 0.
   virtual bool above_apex() const { return false; }
 
   /// Its grains come to rest one by one, so that none needs to be faster than it becomes in a step.

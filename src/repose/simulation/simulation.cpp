@@ -4,6 +4,7 @@
 
 #include "repose/analysis/force_network.hpp"
 #include "repose/analysis/heap.hpp"
+#include "repose/analysis/standing.hpp"
 #include "repose/core/errors.hpp"
 #include "repose/io/hash.hpp"
 #include "repose/io/state.hpp"
@@ -104,7 +105,7 @@ Advanced Simulation<D>::run(const Pause& pause) {
 template <int D>
 void Simulation<D>::begin() {
   begun_ = true;
-  if (scene_.source->above_apex()) refresh();  // the first grain asks what touches
+  if (scene_.source->above_apex()) refresh();  // the first grain asks what stands
   release_due_grains();
   begin_due_loads();
   refresh();
@@ -238,11 +239,13 @@ void Simulation<D>::release_due_grains() {
 
 template <int D>
 double Simulation<D>::apex() const {
-  const auto touching = supported(grains_, contacts());
+  // Discs that touch anything count: studies of heaps of discs are poured so. In a jet of spheres grains collide in the
+  // air, and the source would climb its own jet.
+  const auto stands = D == 2 ? supported(grains_, contacts()) : standing(grains_, contacts());
   double highest = 0.0;
   for (std::size_t k = 0; k < grains_.size(); ++k) {
     const auto& grain = grains_.line[k];
-    if (touching[k]) highest = std::max(highest, grain.position[up<D>] + grain.radius);
+    if (stands[k]) highest = std::max(highest, grain.position[up<D>] + grain.radius);
   }
   return highest;
 }

@@ -29,7 +29,8 @@ class DropSource : public SourceKind {
     keys.number("source.rate", rate, required, positive, "1/T", "grains per time; the first at time 0");
     keys.number("source.height", height, {100.0 * d, "100 d"}, positive, "L", "height of the centres at release");
     keys.choice("source.height_above", height_above, {"base", "apex"},
-                "the height is above height 0, or above the highest grain that touches something at each release");
+                "the height is above height 0, or at each release above the highest of the discs that touch something, "
+                "or of the spheres that hang together with base or walls");
     opening_keys(scene, keys);
     keys.vector("source.velocity", velocity, scene.dimension, Coordinates{}, "L/T", "velocity at release");
   }

@@ -18,7 +18,7 @@ namespace repose {
 
 /// What a source sees of the run.
 struct SourceView {
-  std::function<double()> apex;  ///< height of the highest grain that touches something [L]
+  std::function<double()> apex;  ///< height of the highest grain of the heap [L]
   std::vector<WallState> walls;  ///< an entry for each wall of the scene, or none where all stand still
 };
 
