@@ -51,7 +51,7 @@ NO_BUDGET = {
     "walls": "the run has no walls, or fewer than two rows in its time series",
 }
 NO_COLUMN = {
-    "column": "there are no grains in an upright cylinder, or its method has no forces",
+    "column": "no column in an upright cylinder was measured",
     "column_motion": "there is no column between two upright walls whose floor moves",
 }
 NO_BASE = {"base_map": "there is no base of grains"}

@@ -242,22 +242,23 @@ source = { count = 3000 }
 """)
     packing = summary(out)["packing"]
     assert abs(packing["solid_fraction"]["mean"] - 0.581) < 0.006
+    assert summary(out)["angle_of_repose_deg"]["mean"] is None  # a bed is no cone, however rough
     assert abs(packing["coordination"]["mean"] - 6.0) < 0.1
     with h5py.File(out / "run.h5") as run:
         assert (np.bincount(run["contacts/grains"][:].max(axis=1)) <= 3).all()
 
 
 def test_deposited_spheres_form_a_cone(lab):
-    """Two estimators of the angle agree: the line through the surface, and the moments of the positions of the spheres. A
-    concave surface of 14 rings leaves some degrees between them."""
+    """Two estimators of the angle agree: the line through the surface, and the moments of the positions of the spheres. They
+    differed by 0.6 deg, and each by 0.7 from sector to sector (seed 1)."""
     out = lab.run("""dimension = 3
 method = { kind = "deposition", critical_angle = 0 }
 source = { count = 6000, radius = 1.0 }
 analysis = { bin_width = 1.0 }
 """)
     angle = summary(out)["angle_of_repose_deg"]
-    assert abs(angle["mean"] - angle["sectors"]) < 3.0
-    assert abs(angle["mean"] - angle["moments"]) < 6.0
+    assert abs(angle["mean"] - angle["sectors"]) < 2.0
+    assert abs(angle["mean"] - angle["moments"]) < 2.0
     assert 0.0 < angle["sectors_error"] < 2.0
 
 

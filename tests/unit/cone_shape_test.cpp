@@ -122,6 +122,12 @@ TEST(ConeShape, NoneForABed) {
   EXPECT_FALSE(flat.moments_angle_deg);
   const auto leaning = surface([](double x, double y) { return x < 4.0 ? 10.0 - 0.5 * std::hypot(x, y) : 0.0; });
   EXPECT_FALSE(measure(leaning, 1.0, Vec<2>{}).moments_angle_deg);
+  const auto rough = surface([](double x, double y) {
+    const double r = std::hypot(x, y);
+    return r < 10.0 ? 8.0 + 2.0 * std::cos(0.3 * r) : 0.0;  // from 10 down to 6
+  });
+  EXPECT_FALSE(measure(rough, 1.0).line);
+  EXPECT_EQ(measure(rough, 1.0).angle_deg.count, 0U);
   const auto none = measure({}, 1.0);
   EXPECT_TRUE(none.surface.empty());
   EXPECT_FALSE(none.line);

@@ -109,16 +109,11 @@ std::optional<FlankLine> line_of(const ConicalHeap& cone, const HeightOf& height
   return fit(points);
 }
 
-/// Whether the surface falls in all sectors, as that of a heap, and not only to the wall of a silo.
+/// Whether the surface falls in all sectors, as that of a heap, and not only to the wall of a silo, as a rough bed may.
+/// A sector that ends before the outermost ring has fallen.
 bool falls_off(const ConicalHeap& cone) {
-  for (std::size_t sector = 0; sector < sectors; ++sector) {
-    double end = no_number;
-    for (const auto& ring : cone.surface) {
-      if (!std::isnan(ring.sector_height[sector])) end = ring.sector_height[sector];
-    }
-    if (!(end < highest_end * cone.apex_height)) return false;
-  }
-  return true;
+  const auto& ends = cone.surface.back().sector_height;
+  return std::none_of(ends.begin(), ends.end(), [&](double end) { return end >= highest_end * cone.apex_height; });
 }
 
 std::optional<double> moments_angle(const Grains<3>& grains, const std::vector<bool>& in_heap, const Vec<2>& axis,
@@ -159,6 +154,10 @@ ConicalHeap measure_cone(const Grains<3>& grains, const std::vector<bool>& in_he
     ring.used = k > 0 && relative >= lowest_used && relative <= highest_used;
     cone.surface.push_back(ring);
   }
+  if (!falls_off(cone)) {
+    for (auto& ring : cone.surface) ring.used = false;
+    return cone;
+  }
   cone.line = line_of(cone, [](const ConeRing& ring) { return ring.height; });
   std::vector<double> angles;
   for (std::size_t sector = 0; sector < sectors; ++sector) {
@@ -167,7 +166,7 @@ ConicalHeap measure_cone(const Grains<3>& grains, const std::vector<bool>& in_he
     if (line) angles.push_back(line->angle_deg);
   }
   cone.angle_deg = mean_of(angles);
-  if (falls_off(cone)) cone.moments_angle_deg = moments_angle(grains, in_heap, cone.axis, base_height);
+  cone.moments_angle_deg = moments_angle(grains, in_heap, cone.axis, base_height);
   return cone;
 }
 

@@ -28,12 +28,13 @@ struct ConicalHeap {
   Vec<2> axis{};                  ///< [L] x, y
   double apex_height = 0.0;       ///< [L] of the highest grain top above the base
   std::vector<ConeRing> surface;  ///< from the axis outwards; empty without a heap
-  std::optional<FlankLine> line;  ///< through the mean surface, against the radius
+  /// Through the mean surface, against the radius. Neither lines nor angles exist unless the surface falls below half
+  /// the height of the apex in all sectors: a bed, however rough, has none.
+  std::optional<FlankLine> line;
   /// Sector k reaches from 45 k to 45 (k + 1) degrees of azimuth, from x to y.
   std::array<std::optional<FlankLine>, ConeRing::sectors> sector_lines{};
   Estimate angle_deg;  ///< [deg] angle of repose over the sectors: mean, deviation and standard error of the mean
-  /// atan(2 <z>/<r>), exact for a cone of uniform density; none unless the surface falls below half the height of the
-  /// apex in all sectors, since a bed between walls has no such angle.
+  /// atan(2 <z>/<r>), exact for a cone of uniform density.
   std::optional<double> moments_angle_deg;
 };
 

@@ -106,6 +106,16 @@ std::vector<bool> supported(const Grains<D>& grains, const Contacts<D>& contacts
 }
 
 template <int D>
+bool leans_on_steep_walls(const Contacts<D>& contacts, double weight) {
+  constexpr double steep = 0.7071;
+  double force = 0.0;
+  for (const auto& contact : contacts.list) {
+    if (contact.second < 0 && std::fabs(contact.normal[up<D>]) < steep) force += std::fabs(contact.normal_force);
+  }
+  return force > 0.01 * weight;
+}
+
+template <int D>
 HeapShape measure_heap(const Grains<D>& grains, const std::vector<bool>& in_heap, double base_height,
                        double bin_width) {
   std::map<long, double> highest;
@@ -143,6 +153,8 @@ HeapShape measure_heap(const Grains<D>& grains, const std::vector<bool>& in_heap
 
 template std::vector<bool> supported(const Grains<2>&, const Contacts<2>&);
 template std::vector<bool> supported(const Grains<3>&, const Contacts<3>&);
+template bool leans_on_steep_walls(const Contacts<2>&, double);
+template bool leans_on_steep_walls(const Contacts<3>&, double);
 template HeapShape measure_heap(const Grains<2>&, const std::vector<bool>&, double, double);
 template HeapShape measure_heap(const Grains<3>&, const std::vector<bool>&, double, double);
 

@@ -46,6 +46,11 @@ double depth_below_surface(const HeapShape& heap, double x, double height);
 template <int D>
 std::vector<bool> supported(const Grains<D>& grains, const Contacts<D>& contacts);
 
+/// Whether walls steeper than 45 degrees bear more than a hundredth of the weight [M L/T^2]: a bed in a box, a column
+/// or a drum has no free flanks.
+template <int D>
+bool leans_on_steep_walls(const Contacts<D>& contacts, double weight);
+
 /// Measures the surface profile and the angles of repose in the plane of the first and the last axis. Bins are
 /// `bin_width` [L] wide, with edges at its multiples. The height of a bin is that of the highest grain top above
 /// `base_height` [L]. Only bins connected to the apex without a gap count. The line of a flank is the least-squares

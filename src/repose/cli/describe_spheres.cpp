@@ -18,13 +18,13 @@ std::string describe_result(const Record<3>& record, const Results<3>& results) 
     text += fmt::format("touching         {:.4f} +- {:.4f} neighbours\n", packing.coordination.mean,
                         packing.coordination.error);
   }
-  if (!record.scene.method->traits().has_forces()) return text;
   const auto& cone = results.cone;
   if (cone.line) {
     text += fmt::format("angle of repose  {:.2f}; sectors {:.2f} +- {:.2f}; moments {} deg\n", cone.line->angle_deg,
                         cone.angle_deg.mean, cone.angle_deg.error,
                         cone.moments_angle_deg ? fmt::format("{:.2f}", *cone.moments_angle_deg) : "-");
   }
+  if (!record.scene.method->traits().has_forces()) return text;
   if (results.network.coordination) {
     text += fmt::format("coordination     {:.3f} (contacts above {:g} {})\n", *results.network.coordination,
                         record.scene.analysis.force_threshold, force_unit_name(record.scene));

@@ -149,17 +149,6 @@ ForceNetwork network_of(const Packing& packing) {
   return network;
 }
 
-/// Whether walls steeper than 45 degrees bear more than a hundredth of the weight: a bed in a box, a column or a drum
-/// has no free flanks.
-bool leans_on_walls(const Contacts<2>& contacts, double weight) {
-  constexpr double steep = 0.7071;
-  double force = 0.0;
-  for (const auto& contact : contacts.list) {
-    if (contact.second < 0 && std::fabs(contact.normal[1]) < steep) force += std::fabs(contact.normal_force);
-  }
-  return force > 0.01 * weight;
-}
-
 /// A record without forces: the packing is all there is to measure.
 Results<2> analyse_packing_alone(const Record<2>& record) {
   Results<2> results;
@@ -212,7 +201,7 @@ Results<2> analyse(const Record<2>& record) {
       record.track, box, motion_settings(scene, results.base_height, burst_threshold(scene, results.force_unit)));
   if (*scene.analysis.packing) measure_packing(record, results);
   // The core above lies below these lines, whatever holds them.
-  if (leans_on_walls(contacts, weight)) {
+  if (leans_on_steep_walls(contacts, weight)) {
     results.heap.left.reset();
     results.heap.right.reset();
     results.heap.moments_angle_deg.reset();

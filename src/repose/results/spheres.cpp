@@ -6,6 +6,7 @@
 #include "repose/record/force_unit.hpp"
 #include "repose/results/measure.hpp"
 #include "repose/results/sphere_results.hpp"
+#include "repose/results/wall_forces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,22 +20,17 @@ namespace {
 constexpr double core_of_cone_above_base = 2.0;  // diameters
 
 SphereWallForces mean_forces(const Record<3>& record) {
-  constexpr double rounding = 1e-9;
   SphereWallForces forces;
   const auto& rows = record.series;
   const auto count = record.walls.size();
   if (rows.empty() || count == 0 || record.wall_series.size() != rows.size() * count) return forces;
-  forces.window_end = rows.back().time;
-  const auto start_of = [&](std::size_t row) { return row > 0 ? rows[row - 1].time : 0.0; };
-  std::size_t first = rows.size() - 1;
-  const double from = forces.window_end - record.scene.output.window * (1.0 - rounding);
-  while (first > 0 && start_of(first) > from) --first;
-  forces.window_start = start_of(first);
-  const double duration = forces.window_end - forces.window_start;
+  const auto window = rows_of_window(rows, record.scene.output.window);
+  forces.window_start = window.start;
+  forces.window_end = window.end;
   for (std::size_t w = 0; w < count; ++w) {
     SphereWallForce mean{record.walls[w].name, {}};
-    for (std::size_t row = first; row < rows.size(); ++row) {
-      mean.force += record.wall_series[row * count + w].force * ((rows[row].time - start_of(row)) / duration);
+    for (auto row = window.first; row < rows.size(); ++row) {
+      mean.force += record.wall_series[row * count + w].force * window.parts[row - window.first];
     }
     forces.walls.push_back(std::move(mean));
   }
@@ -116,17 +112,6 @@ ConeCore core_of(const Record<3>& record, const Results<3>& results, double thre
   core.solid_fraction = spheres / cells;
   core.coordination = contacts / static_cast<double>(core.grains);
   return core;
-}
-
-/// Whether walls steeper than 45 degrees bear more than a hundredth of the weight: a bed in a box or a pipe has no free
-/// flanks.
-bool leans_on_steep_walls(const Contacts<3>& contacts, double weight) {
-  constexpr double steep = 0.7071;
-  double force = 0.0;
-  for (const auto& contact : contacts.list) {
-    if (contact.second < 0 && std::fabs(contact.normal[2]) < steep) force += std::fabs(contact.normal_force);
-  }
-  return force > 0.01 * weight;
 }
 
 /// The block in which the structure is measured: all of a periodic side, and of an open one the part in which the

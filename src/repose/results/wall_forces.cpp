@@ -6,19 +6,31 @@
 
 namespace repose {
 
-WallForces mean_wall_forces(const Record<2>& record) {
+WindowRows rows_of_window(const std::vector<SeriesRow>& rows, double window) {
   constexpr double rounding = 1e-9;
+  WindowRows found;
+  if (rows.empty()) return found;
+  found.end = rows.back().time;
+  const auto start_of = [&](std::size_t row) { return row > 0 ? rows[row - 1].time : 0.0; };
+  found.first = rows.size() - 1;
+  const double from = found.end - window * (1.0 - rounding);
+  while (found.first > 0 && start_of(found.first) > from) --found.first;
+  found.start = start_of(found.first);
+  const double duration = found.end - found.start;
+  for (auto row = found.first; row < rows.size(); ++row) {
+    found.parts.push_back((rows[row].time - start_of(row)) / duration);
+  }
+  return found;
+}
+
+WallForces mean_wall_forces(const Record<2>& record) {
   WallForces forces;
   const auto& rows = record.series;
   const auto count = record.walls.size();
   if (rows.empty() || count == 0 || record.wall_series.size() != rows.size() * count) return forces;
-  forces.window_end = rows.back().time;
-  const auto start_of = [&](std::size_t row) { return row > 0 ? rows[row - 1].time : 0.0; };
-  std::size_t first = rows.size() - 1;
-  const double from = forces.window_end - record.scene.output.window * (1.0 - rounding);
-  while (first > 0 && start_of(first) > from) --first;
-  forces.window_start = start_of(first);
-  const double duration = forces.window_end - forces.window_start;
+  const auto window = rows_of_window(rows, record.scene.output.window);
+  forces.window_start = window.start;
+  forces.window_end = window.end;
   const auto spans = spans_of(record.walls, *record.grains, record.box);
   for (std::size_t w = 0; w < count; ++w) {
     const auto& wall = record.walls[w];
@@ -26,9 +38,9 @@ WallForces mean_wall_forces(const Record<2>& record) {
     mean.name = wall.name;
     mean.length = record.wall_series[(rows.size() - 1) * count + w].length;
     mean.middle = spans[w].middle;
-    for (std::size_t row = first; row < rows.size(); ++row) {
+    for (auto row = window.first; row < rows.size(); ++row) {
       const auto& at = record.wall_series[row * count + w];
-      const double part = (rows[row].time - start_of(row)) / duration;
+      const double part = window.parts[row - window.first];
       mean.force += at.force * part;
       mean.pressure += part * pressure_of(at, wall.wall.normal);
       mean.shear += part * shear_of(at, wall.wall.normal);

@@ -4,10 +4,20 @@
 
 #include "repose/record/record.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace repose {
+
+/// The last rows of a series that together cover output.window, each with the interval since the row before.
+struct WindowRows {
+  std::size_t first = 0;      ///< the rows from this one
+  double start = 0.0;         ///< [T]
+  double end = 0.0;           ///< [T]
+  std::vector<double> parts;  ///< of the interval, by row from the first; 1 together
+};
+WindowRows rows_of_window(const std::vector<SeriesRow>& rows, double window);
 
 /// The force of the grains on one wall, mean over an interval.
 struct WallForce {

@@ -16,7 +16,7 @@ from repose.pictures.spheres.panels import make_views
 from repose.pictures.spheres.places import upright_plane
 from repose.pictures.spheres.section import where
 
-NO_COLUMN = "there are no grains in an upright cylinder, or its method has no forces"
+NO_COLUMN = "no column in an upright cylinder was measured"
 
 
 def draw(run, state):

@@ -17,7 +17,7 @@ HIGHEST = 4.0  # inch of the profile
 def draw(run, state):
     """Figure of the last state."""
     surface = analysis_table(run, state, "cone_surface", NO_CONE)
-    if len(surface["r"]) == 0:
+    if not surface["used"].any():
         raise NotDrawn(NO_CONE)
     sectors = run.analysis["cone_sectors"]
     units = style.units_of(run)

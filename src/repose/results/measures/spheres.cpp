@@ -69,9 +69,11 @@ void add_cone_groups(RegistryIn<3>& to) {
 void add_spheres(RegistryIn<3>& to) {
   const auto add = [&](MeasureIn<3> measure) { to.measures.push_back(std::move(measure)); };
   const auto core = [](auto member) { return [=](const Run& run) { return run.results.core.*member; }; };
-  add(measure<3>("angle_of_repose_deg", "",
-                 "of a conical heap; null where walls steeper than 45 deg bear a hundredth of the weight",
-                 [](const Run&) { return Object{}; }));
+  add(measure<3>(
+      "angle_of_repose_deg", "",
+      "of a conical heap; null unless the surface falls below half of its height on all sides, and where walls steeper "
+      "than 45 deg bear a hundredth of the weight",
+      [](const Run&) { return Object{}; }));
   add(measure<3>("angle_of_repose_deg.mean", "deg", "of the line through the surface averaged over the azimuth",
                  [](const Run& run) -> std::optional<double> {
                    if (!run.results.cone.line) return std::nullopt;
@@ -81,8 +83,7 @@ void add_spheres(RegistryIn<3>& to) {
                  [](const Run& run) { return run.results.cone.angle_deg.mean; }));
   add(measure<3>("angle_of_repose_deg.sectors_error", "deg", "standard error from the scatter of the sectors",
                  [](const Run& run) { return run.results.cone.angle_deg.error; }));
-  add(measure<3>("angle_of_repose_deg.moments", "deg",
-                 "atan(2 <z>/<r>); null unless the surface falls below half of its height on all sides",
+  add(measure<3>("angle_of_repose_deg.moments", "deg", "atan(2 <z>/<r>), exact for a uniform cone",
                  [](const Run& run) { return run.results.cone.moments_angle_deg; }));
   add(measure<3>("heap_height", "L", "highest grain top above the base centres",
                  [](const Run& run) -> std::optional<double> {
