@@ -115,6 +115,19 @@ def test_the_floor_carries_a_bed(lab):
         assert (position[:, 2] > 0.39).all()
 
 
+def test_the_fabric_is_that_of_numpy(lab):
+    out = lab.run(BED)
+    with h5py.File(out / "run.h5") as run:
+        counts = (run["contacts/grains"][:, 1] >= 0) & (run["contacts/normal_force"][:] > 0.2)
+        normal = run["contacts/normal"][:][counts]
+    value, axis = np.linalg.eigh(normal.T @ normal / len(normal))
+    fabric = summary(out)["fabric"]
+    for k in range(3):
+        assert fabric[f"eigenvalue_{k + 1}"] == pytest.approx(value[2 - k], abs=1e-12)
+        assert fabric[f"axis_{k + 1}"][2] >= 0.0
+        assert abs(np.dot(fabric[f"axis_{k + 1}"], axis[:, 2 - k])) == pytest.approx(1.0, abs=1e-9)
+
+
 def test_bits_do_not_depend_on_threads(lab):
     one = lab.run(BED, "--threads", "1", out="one")
     two = lab.run(BED, "--threads", "2", out="two")

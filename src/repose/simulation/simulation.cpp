@@ -3,8 +3,6 @@
 #include "repose/simulation/simulation.hpp"
 
 #include "repose/analysis/force_network.hpp"
-#include "repose/analysis/heap.hpp"
-#include "repose/analysis/standing.hpp"
 #include "repose/core/errors.hpp"
 #include "repose/io/hash.hpp"
 #include "repose/io/state.hpp"
@@ -63,6 +61,7 @@ Simulation<D>::Simulation(Scene scene, int threads)
       method_(make_method<D>(scene_)),
       steps_(method_->time_steps()),
       source_(make_source<D>(scene_, steps_, grains_.id.empty() ? 0 : grains_.id.back() + 1)),
+      apex_(scene_),
       loads_(scene_, steps_),
       end_(scene_.stop.time ? steps_.rounded(*scene_.stop.time) : infinity),
       placed_(static_cast<std::int64_t>(moving_count(grains_))),
@@ -230,24 +229,14 @@ template <int D>
 void Simulation<D>::release_due_grains() {
   if (source_->due() > time()) return;
   const Profile::Stage stage(profile(), "sources");
-  const SourceView view{[this] { return apex(); }, method_->walls()};
+  const auto apex = [this] {
+    return apex_.height(time(), grains_, [this]() -> const Contacts<D>& { return contacts(); });
+  };
+  const SourceView view{apex, method_->walls()};
   if (!source_->release(grains_, time(), view)) return;
   method_->grains_added(grains_);
   contacts_.reset();
   moving_ = moving_count(grains_);
-}
-
-template <int D>
-double Simulation<D>::apex() const {
-  // Discs that touch anything count: studies of heaps of discs are poured so. In a jet of spheres grains collide in the
-  // air, and the source would climb its own jet.
-  const auto stands = D == 2 ? supported(grains_, contacts()) : standing(grains_, contacts());
-  double highest = 0.0;
-  for (std::size_t k = 0; k < grains_.size(); ++k) {
-    const auto& grain = grains_.line[k];
-    if (stands[k]) highest = std::max(highest, grain.position[up<D>] + grain.radius);
-  }
-  return highest;
 }
 
 template <int D>
@@ -309,6 +298,7 @@ void Simulation<D>::exchange(Archive& archive) {
   base_forces_.exchange(archive);
   rest_.exchange(archive);
   source_->exchange(archive);
+  apex_.exchange(archive);
   grains_.exchange(archive);
   method_->exchange(archive);
   if (archive.restoring()) seconds_ = seconds;

@@ -9,6 +9,7 @@
 #include "repose/methods/method.hpp"
 #include "repose/record/record.hpp"
 #include "repose/scene/scene.hpp"
+#include "repose/simulation/apex.hpp"
 #include "repose/simulation/base_forces.hpp"
 #include "repose/simulation/loads.hpp"
 #include "repose/simulation/observer.hpp"
@@ -106,7 +107,6 @@ class Simulation {
   void begin_due_loads();
   void drop_lost_grains();
   void refresh();
-  double apex() const;
   void stop(Status status, std::string message);
   Record<D> record_of(Grains<D> present) const;
   std::int64_t lost_but(const Grains<D>& present) const;
@@ -117,6 +117,7 @@ class Simulation {
   std::unique_ptr<Method<D>> method_;
   TimeSteps steps_;
   std::unique_ptr<Source<D>> source_;
+  Apex<D> apex_;
   Loads<D> loads_;
   double end_;               // [T] stop.time, in whole steps; infinity without it
   std::int64_t placed_ = 0;  // moving grains at the start

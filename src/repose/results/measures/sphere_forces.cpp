@@ -32,6 +32,12 @@ void add_distribution(RegistryIn<3>& to) {
       group, [](const Run& run) { return run.results.forces ? &*run.results.forces : nullptr; }));
 }
 
+/// An axis, which has no sign, as the vector that does not point down.
+std::array<double, 3> upwards(const Vec<3>& axis) {
+  const double sign = axis[up<3>] < 0.0 ? -1.0 : 1.0;
+  return {sign * axis[0], sign * axis[1], sign * axis[2]};
+}
+
 void add_fabric(RegistryIn<3>& to) {
   const auto add = [&](MeasureIn<3> measure) { to.measures.push_back(std::move(measure)); };
   add(measure<3>("fabric", "", "of the contacts that count, without those of walls",
@@ -51,6 +57,12 @@ void add_fabric(RegistryIn<3>& to) {
       const auto number = std::to_string(k + 1);
       add(measure<3>(prefix + "eigenvalue_" + number, "", "in descending order; their sum is 1",
                      of([=](const SpaceFabric& fabric) { return fabric.principal.value[k]; })));
+      add(measure<3>(prefix + "axis_" + number, "", "list: x, y and z of its eigenvector, of length 1, not downwards",
+                     [=](const Run& run) -> std::optional<std::array<double, 3>> {
+                       const SpaceFabric* found = part(*run.results.fabric);
+                       if (found == nullptr) return std::nullopt;
+                       return upwards(found->principal.axis[k]);
+                     }));
     }
   };
   add_part("fabric.", "all", [](const ContactFabric& fabric) { return &fabric.all; });
