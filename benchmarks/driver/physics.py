@@ -13,7 +13,7 @@ from . import lammps
 from .beds import bed
 from .process import run
 
-BEDS = ((2, 10_000, 20_000), (3, 1_000, 2_000))  # dimension, grains, steps
+BEDS = ((2, 10_000, 20_000), (3, 1_000, 20_000))  # dimension, grains, steps
 
 
 def thermo(log):

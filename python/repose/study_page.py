@@ -18,6 +18,7 @@ GROUPS = {
     "liffman1992": "Liffman, Chan and Hughes 1992",
     "dip": "The dip",
     "others": "Other people's heaps",
+    "cones": "Spheres: cones, packings and columns",
 }
 HEAD = """# {title}
 <!-- Written by `repose study page`: edit the files in studies/ instead. -->
@@ -117,7 +118,7 @@ def write(results, page, names):
         raise RunFolderError(f"{results}: holds no results of these studies (`repose study run` makes them)")
     form = studies[0].content["form"]
     groups = {study.name.split(".")[0] for study in studies}
-    command = "./dev figures" + "".join(f" {group}" for group in sorted(groups & {"dip", "others"}))
+    command = "./dev figures" + "".join(f" {group}" for group in sorted(groups & {"dip", "others", "cones"}))
     if form != "quick":
         command = "repose study run all, then repose study page"
     title = GROUPS.get(*groups, "Studies") if len(groups) == 1 else "Studies"

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from repose import style
 from repose.errors import NotDrawn
 from repose.pictures import pictures_of_run
-from repose.pictures.study import base, claims, grains, measure, model, polar
+from repose.pictures.study import base, claims, grains, measure, model, polar, rings
 from repose.pictures.sweep import SWEEP_PICTURES
 
 PANELS = {
@@ -17,6 +17,7 @@ PANELS = {
     "forces": grains.draw_forces,
     "lines": grains.draw_lines,
     "base": base.draw,
+    "rings": rings.draw,
     "measure": measure.draw,
     "bars": measure.draw_bars,
     "polar": polar.draw,
