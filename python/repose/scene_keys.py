@@ -177,7 +177,7 @@ class SourceKeys(Keys):
     count: int  # grains released in all
     rate: float  # [1/T] grains per time; the first at time 0
     height: float  # [L] height of the centres at release; default 100 d
-    height_above: str  # the height is above height 0, or above the highest grain that touches something at each rele...
+    height_above: str  # the height is above height 0, or at each release above the highest of the discs that touch s...
     half_width: float  # [L] grains are released at x +- this; default 3 d
     base_count: int  # grains in the lowest row of a pile of any slope, instead of source.rows; default 0
     slope: float  # [deg] slope of the flanks of the pile, of a tent from the foot to the break; default 60

@@ -43,7 +43,7 @@ class SweepFolder:
     members: Table  #: point, seed, status: each (K)
     values: "dict[str, np.ndarray]"  #: measures by member (K)
     profiles: "list[Profile | None]"  #: (P)
-    columns: "list[Table | None]"  #: (P) mean column between two walls, by slice: depth [L], pressure and stress [M/T^2] ...
+    columns: "list[Table | None]"  #: (P) mean column by slice: depth [L], stress [M/T^2], of spheres [M/(L T^2)] ...
     summary: dict  #: summary.json: comparisons of theory with the profiles; empty without
 
     def __init__(self, path):

@@ -13,6 +13,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import EllipseCollection, QuadMesh
 from matplotlib.colors import to_hex
 from matplotlib.quiver import Quiver
+from synthetic_analysis import write_group
+from synthetic_column import motion, slices
 from synthetic_spheres import AXIS, SLOPE, cone, square_layer, walls_of, write_spheres
 from test_plot import assert_shows_something
 
@@ -351,6 +353,47 @@ def test_janssen_in_a_cylinder_tends_to_its_plateau():
     law = law_of_cylinder(Run, values)
     assert law.stress(100.0) == pytest.approx(0.6 * 2.0 * 3.0 / (4.0 * 0.5 * 0.4), rel=1e-11)  # less exp(-27)
     assert law.stress(1e-6) == pytest.approx(0.6 * 2.0 * 1e-6, rel=1e-5)
+
+
+CYLINDER = dict(name="pipe", shape="frustum", point=[AXIS[0], AXIS[1], 4.0], normal=[0.0, 0.0, 1.0], half_length=9.0)
+IN_CYLINDER = {"radius": 2.5, "axis_x": AXIS[0], "axis_y": AXIS[1], "floor": 1.5, "floor_wall": 1}
+IN_CYLINDER |= {"height": 12.0, "mass": 60.0, "stress_ratio": 0.75, "friction": 0.2}
+
+
+@pytest.fixture
+def column_folder(tmp_path):
+    """The slices of a column between walls, in a cylinder about AXIS above the second wall."""
+    folder = write_spheres(tmp_path / "column", cone(4.0), walls=walls_of(CYLINDER, FLOOR))
+    with h5py.File(folder / "analysis.h5", "a") as file:
+        write_group(file.create_group("column"), slices(), **IN_CYLINDER)
+        write_group(file.create_group("column_motion"), motion())
+    return folder
+
+
+def test_a_column_in_a_cylinder_has_its_section_and_the_law(column_folder):
+    run, figure = drawn(column_folder, "column")
+    grains, stresses = figure.axes
+    assert grains.get_ylim() == stresses.get_ylim()
+    for patch, name in zip(stresses.patches, ("pressure", "shear")):
+        np.testing.assert_allclose(patch.get_data().values, slices()[name])
+        np.testing.assert_allclose(patch.get_data().edges, 1.5 + np.arange(0.0, 13.0, 2.0))  # from the floor
+    dashed = [line.get_xydata() for line in stresses.get_lines() if line.get_linestyle() == "--"]
+    law = law_of_cylinder(run, IN_CYLINDER)
+    np.testing.assert_allclose(dashed[0][[0, -1]], [[0.0, 13.5], [law.stress(12.0), 1.5]], atol=1e-12)
+    depth = np.linspace(0.0, 12.0, 20001)
+    carried = 2.0 * np.pi * 2.5 * 0.2 * np.trapz(law.pressure(depth), depth)
+    assert law.stress(12.0) * np.pi * 2.5**2 + carried == pytest.approx(60.0)  # floor and cylinder carry the weight
+    assert stresses.get_xlabel() == "stress / (mg/σ²)"
+    assert f"section at y = {AXIS[1]:g}" in figure.texts[0].get_text()
+
+
+def test_the_motion_of_a_column_in_a_cylinder(column_folder):
+    """The load is the force along z on the wall that the analysis names."""
+    _, figure = drawn(column_folder, "column_motion")
+    moved, _, front, load = figure.axes
+    np.testing.assert_allclose(moved.get_lines()[0].get_ydata(), motion()["floor"])
+    np.testing.assert_allclose(front.get_lines()[0].get_ydata(), motion()["front"])
+    np.testing.assert_allclose(load.get_lines()[0].get_ydata(), 3.0)
 
 
 def test_frames_share_a_box_and_its_colours(folder):

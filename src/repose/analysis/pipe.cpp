@@ -38,11 +38,6 @@ bool is_side(const Pipe& pipe, std::int64_t partner) {
   return partner == wall_partner(pipe.left_wall) || partner == wall_partner(pipe.right_wall);
 }
 bool is_side(const CylinderPipe& pipe, std::int64_t partner) { return partner == wall_partner(pipe.wall); }
-double cross_section(const Pipe& pipe) { return pipe.width(); }
-double cross_section(const CylinderPipe& pipe) { return pipe.cross_section(); }
-/// Length, in 3D area, of the walls per height.
-double wall_per_height(const Pipe&) { return 2.0; }
-double wall_per_height(const CylinderPipe& pipe) { return 2.0 * std::numbers::pi * pipe.radius; }
 
 /// The discs of the column, from the lowest centre up.
 template <int D, class Vessel>
@@ -224,12 +219,11 @@ MeasuredColumn measure(const Vessel& pipe, const Grains<D>& grains, const Contac
   if (slices > 2 * tenth) {
     const double between = measured.slices[slices - tenth - 1].top - measured.slices[tenth - 1].top;
     const double part = static_cast<double>(slices - 2 * tenth) / static_cast<double>(slices);
-    measured.row.solid_fraction = part * area.all() / (between * cross_section(pipe));
+    measured.row.solid_fraction = part * area.all() / (between * pipe.cross_section());
   }
   add_forces(pipe, contacts, slice, measured.slices);
   for (std::size_t s = 0; s < slices; ++s) {
-    const double all_walls =
-        wall_per_height(pipe) * (measured.slices[s].top - (s > 0 ? measured.slices[s - 1].top : 0.0));
+    const double all_walls = pipe.perimeter() * (measured.slices[s].top - (s > 0 ? measured.slices[s - 1].top : 0.0));
     measured.slices[s].pressure /= all_walls;
     measured.slices[s].shear /= all_walls;
   }

@@ -22,6 +22,8 @@ struct Pipe {
   double floor = 0.0;           ///< [L] y of the floor
 
   double width() const { return right - left; }
+  double cross_section() const { return width(); }  ///< [L]
+  double perimeter() const { return 2.0; }          ///< length of the walls per height
 };
 
 /// An upright cylinder with spheres inside, and the level floor in it.
@@ -31,7 +33,8 @@ struct CylinderPipe {
   double radius = 0.0;    ///< [L]
   double floor = 0.0;     ///< [L] z of the floor
 
-  double cross_section() const { return std::numbers::pi * radius * radius; }
+  double cross_section() const { return std::numbers::pi * radius * radius; }  ///< [L^2]
+  double perimeter() const { return 2.0 * std::numbers::pi * radius; }         ///< [L] area of the wall per height
 };
 
 /// The column of grains in a pipe at one time. Grains that touch something count, and those between them that touch

@@ -235,13 +235,14 @@ std::string describe_contacts(const Scene& scene) {
   return text + warnings;
 }
 
-/// What the floor of a column carries, and what Janssen's law says with the measured K and friction.
 std::string describe_column(const ColumnState& column) {
   const auto number = [](double x, const char* format) {
     return std::isnan(x) ? std::string("-") : fmt::format(fmt::runtime(format), x);
   };
-  auto text = fmt::format("column           height {}, width {:.4g}, solid fraction {}\n",
-                          number(column.height, "{:.3f}"), column.width, number(column.solid_fraction, "{:.4f}"));
+  const bool round = !std::isnan(column.radius);
+  auto text = fmt::format("column           height {}, {} {:.4g}, solid fraction {}\n", number(column.height, "{:.3f}"),
+                          round ? "radius" : "width", round ? column.radius : column.width,
+                          number(column.solid_fraction, "{:.4f}"));
   if (std::isnan(column.load_ratio)) return text;
   text += fmt::format("floor carries    {:.3f} of the weight; by Janssen {}: K {}, friction at the walls {}\n",
                       column.load_ratio, number(column.janssen_ratio, "{:.3f}"),

@@ -21,6 +21,9 @@ std::string describe_contacts(const Scene& scene);
 std::string describe_result(const Record<2>& record, const Results<2>& results);
 std::string describe_result(const Record<3>& record, const Results<3>& results);
 
+/// What the floor of a column carries, and what Janssen's law says with the measured K and friction.
+std::string describe_column(const ColumnState& column);
+
 /// The part of it that does not depend on the dimension: how the run ended, and its warnings.
 template <int D>
 std::string describe_end(const Record<D>& record);

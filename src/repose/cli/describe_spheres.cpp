@@ -37,6 +37,7 @@ std::string describe_result(const Record<3>& record, const Results<3>& results) 
     text +=
         fmt::format("dip index        {:.3f} +- {:.3f}\n", results.base.dip_index->mean, results.base.dip_index->error);
   }
+  if (results.column) text += describe_column(*results.column);
   text += fmt::format("deepest overlap  {:.4f} diameters\n", results.max_overlap);
   if (results.weight_error) text += fmt::format("weight error     {:.2e}\n", *results.weight_error);
   return text;

@@ -18,9 +18,31 @@ bool faces(const Wall<2>& wall, const Vec<2>& direction) {
   return (wall.finite() ? std::fabs(part) : part) > 1.0 - rounding;
 }
 
+bool is_upright(const Vec<3>& direction) { return std::fabs(direction[2]) > 1.0 - rounding; }
+
+bool is_cylinder(const Wall<3>& wall) {
+  const auto& ends = wall.shape.corners;
+  return wall.shape.kind == WallShape<3>::Kind::frustum && is_upright(wall.normal) &&
+         std::fabs(ends[0][0] - ends[1][0]) < rounding * ends[0][0];
+}
+
+bool is_level(const Wall<3>& wall) {
+  const auto& ends = wall.shape.corners;
+  const bool flat = wall.shape.kind != WallShape<3>::Kind::frustum || ends[0][1] == ends[1][1];
+  return flat && is_upright(wall.normal);
+}
+
+/// Whether a level wall covers a part of the cross-section of a cylinder, below its upper end, with grains above.
+bool lies_under(const Wall<3>& level, const Wall<3>& cylinder) {
+  if (!level.finite() && level.normal[2] < 0.0) return false;
+  if (level.point[2] >= cylinder.point[2] + std::fabs(cylinder.shape.corners[1][1])) return false;
+  const Vec<3> from_point{{cylinder.point[0] - level.point[0], cylinder.point[1] - level.point[1], 0.0}};
+  return above(level, wall_now(level, {}, 0.0), from_point).height < cylinder.shape.corners[0][0];
+}
+
 }  // namespace
 
-Pipe PipeWalls::at(const std::vector<RecordedWall<2>>& walls) const {
+Pipe WallsOfPipe<2>::at(const std::vector<RecordedWall<2>>& walls) const {
   return {.left_wall = static_cast<std::int64_t>(left),
           .right_wall = static_cast<std::int64_t>(right),
           .left = walls[left].wall.point[0],
@@ -28,7 +50,16 @@ Pipe PipeWalls::at(const std::vector<RecordedWall<2>>& walls) const {
           .floor = floor ? walls[*floor].wall.point[1] : 0.0};
 }
 
-std::optional<PipeWalls> find_pipe(const Scene& scene) {
+CylinderPipe WallsOfPipe<3>::at(const std::vector<RecordedWall<3>>& walls) const {
+  const auto& cylinder = walls[side].wall;
+  return {.wall = static_cast<std::int64_t>(side),
+          .axis = {{cylinder.point[0], cylinder.point[1]}},
+          .radius = cylinder.shape.corners[0][0],
+          .floor = floor ? walls[*floor].wall.point[2] : 0.0};
+}
+
+template <>
+std::optional<WallsOfPipe<2>> find_pipe(const Scene& scene) {
   if (scene.box.periodic()) return std::nullopt;
   const auto walls = make_walls(scene);
   std::vector<std::size_t> upright;
@@ -50,6 +81,29 @@ std::optional<PipeWalls> find_pipe(const Scene& scene) {
   const bool facing = faces(walls[pipe.left], {{1.0, 0.0}}) && faces(walls[pipe.right], {{-1.0, 0.0}});
   const bool apart = walls[pipe.left].point[0] < walls[pipe.right].point[0];
   if (!facing || !apart || (!floor && !scene.base->of_grains())) return std::nullopt;
+  return pipe;
+}
+
+template <>
+std::optional<WallsOfPipe<3>> find_pipe(const Scene& scene) {
+  if (scene.box.periodic() || scene.box.periodic_y()) return std::nullopt;
+  const auto gravity = scene.gravity_vector<3>();
+  if (gravity[0] != 0.0 || gravity[1] != 0.0) return std::nullopt;
+  const auto walls = make_walls<3>(scene);
+  std::optional<std::size_t> side;
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    if (walls[w].motion.turns()) return std::nullopt;
+    if (is_level(walls[w])) continue;
+    if (side || !is_cylinder(walls[w])) return std::nullopt;
+    side = w;
+  }
+  if (!side) return std::nullopt;
+  WallsOfPipe<3> pipe{*side, std::nullopt};
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    if (w == *side || !lies_under(walls[w], walls[*side])) continue;
+    if (!pipe.floor || walls[w].point[2] < walls[*pipe.floor].point[2]) pipe.floor = w;
+  }
+  if (!pipe.floor && !scene.base->of_grains()) return std::nullopt;
   return pipe;
 }
 

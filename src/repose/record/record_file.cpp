@@ -123,9 +123,7 @@ void write_record(const std::string& path, const Record<D>& record, const std::v
   if (!record.walls.empty()) write_group(file, wall_group<D>(), record.walls);
   write_group(file, series_group(), record.series);
   if (!record.wall_series.empty()) write_columns(file, "series", wall_series_columns<D>(), record);
-  if constexpr (D == 2) {
-    if (!record.column_series.empty()) write_group(file, column_group(), record);
-  }
+  if (!record.column_series.empty()) write_group(file, column_group<D>(), record);
   if (record.scene.output.energy) write_group(file, energy_group(), record.series);
   if (record.scene.method->solver() != nullptr) write_group(file, solver_group(), record.series);
   if (record.scene.method->traits().collides) write_group(file, collision_group(), record.series);
@@ -219,9 +217,7 @@ Record<D> read_record(const std::string& folder) {
   const Hdf5Reader file(folder + "/run.h5");
   read_series(file, record);
   const auto rows = record.series.size();
-  if constexpr (D == 2) {
-    if (file.has("column")) read_group(file, column_group(), record, rows);
-  }
+  if (file.has("column")) read_group(file, column_group<D>(), record, rows);
   if (record.scene.output.energy) read_group(file, energy_group(), record.series, rows);
   if (record.scene.method->solver() != nullptr) read_group(file, solver_group(), record.series, rows);
   if (record.scene.method->traits().collides) read_group(file, collision_group(), record.series, rows);

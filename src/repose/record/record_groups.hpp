@@ -39,8 +39,13 @@ const Columns<Record<2>>& wall_series_columns();
 template <>
 const Columns<Record<3>>& wall_series_columns();
 
-/// The column in a pipe of two dimensions, row by row of the time series.
+/// The column in a pipe, row by row of the time series.
+template <int D>
+const Group<Record<D>>& column_group();
+template <>
 const Group<Record<2>>& column_group();
+template <>
+const Group<Record<3>>& column_group();
 
 /// The energy budget, what the solver did and what collided, row by row of the time series.
 const Group<std::vector<SeriesRow>>& energy_group();

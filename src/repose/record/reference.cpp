@@ -15,6 +15,11 @@ ReferenceTable with_paths(const Group<From>& group) {
   return reference_of(group.name, "/" + group.name + "/", group.rows, group.columns);
 }
 
+ReferenceTable of_spheres(ReferenceTable table) {
+  table.name += " of spheres";
+  return table;
+}
+
 ReferenceTable track_table() {
   auto table = reference_of("track", "", "M", track_moment_columns<2>());
   const auto grains = reference_of("track", "", "rows", track_grain_columns<2>());
@@ -32,7 +37,8 @@ std::vector<ReferenceTable> run_folder_reference() {
       with_paths(wall_group<2>()),
       with_paths(series_group()),
       reference_of("series of walls", "/series/", "R", wall_series_columns<2>()),
-      with_paths(column_group()),
+      with_paths(column_group<2>()),
+      of_spheres(with_paths(column_group<3>())),
       with_paths(energy_group()),
       with_paths(solver_group()),
       with_paths(collision_group()),

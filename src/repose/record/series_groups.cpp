@@ -44,21 +44,54 @@ Column<Record<2>> wall_stress_column(const std::string& name, double (*of)(const
 }
 
 /// A number of each slice of a column in each row of the series.
-Column<Record<2>> slice_column(const std::string& name, double ColumnSlice::*entry, const std::string& unit,
+template <int D>
+Column<Record<D>> slice_column(const std::string& name, double ColumnSlice::*entry, const std::string& unit,
                                const std::string& meaning) {
-  Column<Record<2>> made{name, unit, meaning, "S", type_name<double>, {}};
-  made.write = [=](Hdf5File& file, const std::string& path, const Record<2>& record) {
+  Column<Record<D>> made{name, unit, meaning, "S", type_name<double>, {}};
+  made.write = [=](Hdf5File& file, const std::string& path, const Record<D>& record) {
     std::vector<double> values;
     for (const auto& slice : record.column_slices) values.push_back(slice.*entry);
     file.table(path, values, static_cast<std::size_t>(record.scene.output.slices), unit, meaning);
   };
-  made.read = [=](const Hdf5Reader& file, const std::string& path, Record<2>& record) {
+  made.read = [=](const Hdf5Reader& file, const std::string& path, Record<D>& record) {
     const auto slices = static_cast<std::size_t>(record.scene.output.slices);
     const auto values = file.table<double>(path, slices);
     record.column_slices.resize(values.size());
     for (std::size_t k = 0; k < values.size(); ++k) record.column_slices[k].*entry = values[k];
     return values.size() / slices;
   };
+  return made;
+}
+
+/// What differs between a column of discs and one of spheres.
+struct ColumnWords {
+  std::string patches;         ///< in which the surface is measured
+  std::string solid_fraction;  ///< what is divided by what
+  std::string walls, per_area;
+  std::string stress_unit;
+};
+
+template <int D>
+Group<Record<D>> column_group_in(const ColumnWords& words) {
+  const Columns<std::vector<ColumnRow>> rows{
+      column("height", &ColumnRow::height, "L", "mean height of the surface above the floor, in " + words.patches),
+      column("centre", &ColumnRow::centre, "L", "of the centre of mass above the floor"),
+      column("solid_fraction", &ColumnRow::solid_fraction, "",
+             words.solid_fraction + " of the slices but the lowest and the highest tenth of them"),
+  };
+  Group<Record<D>> made{"column", "R", {}, columns_of<Record<D>>(rows, &Record<D>::column_series)};
+  const auto add = [&](const std::string& name, double ColumnSlice::*entry, const std::string& unit,
+                       const std::string& meaning) {
+    made.columns.push_back(slice_column<D>(name, entry, unit, meaning));
+  };
+  add("slice_top", &ColumnSlice::top, "L", "upper level of each above the floor");
+  add("slice_mass", &ColumnSlice::mass, "M", "of the grains with centres in it");
+  add("slice_pressure", &ColumnSlice::pressure, words.stress_unit,
+      "normal force of these grains on " + words.walls + ", per " + words.per_area);
+  add("slice_shear", &ColumnSlice::shear, words.stress_unit,
+      "upward force of " + words.walls + " on these grains, per " + words.per_area);
+  add("slice_load", &ColumnSlice::load, "M L/T^2",
+      "upward force through its lower level on the grains with centres above; of the first that of the floor");
   return made;
 }
 
@@ -160,27 +193,23 @@ const Columns<Record<3>>& wall_series_columns() {
   return list;
 }
 
+template <>
 const Group<Record<2>>& column_group() {
-  static const auto group = [] {
-    const Columns<std::vector<ColumnRow>> rows{
-        column("height", &ColumnRow::height, "L",
-               "mean height of the surface above the floor, in strips of a mean diameter"),
-        column("centre", &ColumnRow::centre, "L", "of the centre of mass above the floor"),
-        column("solid_fraction", &ColumnRow::solid_fraction, "",
-               "disc area over area of the slices but the lowest and the highest tenth of them"),
-    };
-    Group<Record<2>> made{"column", "R", {}, columns_of<Record<2>>(rows, &Record<2>::column_series)};
-    made.columns.push_back(slice_column("slice_top", &ColumnSlice::top, "L", "upper level of each above the floor"));
-    made.columns.push_back(slice_column("slice_mass", &ColumnSlice::mass, "M", "of the grains with centres in it"));
-    made.columns.push_back(slice_column("slice_pressure", &ColumnSlice::pressure, "M/T^2",
-                                        "normal force of these grains on the two walls, per length of wall"));
-    made.columns.push_back(slice_column("slice_shear", &ColumnSlice::shear, "M/T^2",
-                                        "upward force of the two walls on these grains, per length of wall"));
-    made.columns.push_back(slice_column(
-        "slice_load", &ColumnSlice::load, "M L/T^2",
-        "upward force through its lower level on the grains with centres above; of the first that of the floor"));
-    return made;
-  }();
+  static const auto group = column_group_in<2>({.patches = "strips of a mean diameter",
+                                                .solid_fraction = "disc area over area",
+                                                .walls = "the two walls",
+                                                .per_area = "length of wall",
+                                                .stress_unit = "M/T^2"});
+  return group;
+}
+
+template <>
+const Group<Record<3>>& column_group() {
+  static const auto group = column_group_in<3>({.patches = "patches about as wide as a mean sphere",
+                                                .solid_fraction = "volume of the spheres over volume",
+                                                .walls = "the cylinder",
+                                                .per_area = "area of wall",
+                                                .stress_unit = "M/(L T^2)"});
   return group;
 }
 

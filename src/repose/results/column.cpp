@@ -29,8 +29,7 @@ std::vector<ColumnLayer> inner(const std::vector<ColumnLayer>& layers) {
 /// Means over the rows from `first` on, each weighted by its time.
 class WindowMean {
  public:
-  WindowMean(const Record<2>& record, double start) {
-    const auto& rows = record.series;
+  WindowMean(const std::vector<SeriesRow>& rows, double start) {
     for (std::size_t row = rows.size(); row-- > 0;) {
       const double before = row > 0 ? rows[row - 1].time : 0.0;
       rows_.push_back(row);
@@ -55,7 +54,10 @@ class WindowMean {
   std::vector<double> lengths_;
 };
 
-std::vector<ColumnLayer> mean_layers(const Record<2>& record, const WindowMean& mean, const ColumnState& column) {
+/// `area` [L^(D-1)]: of the cross-section.
+template <int D>
+std::vector<ColumnLayer> mean_layers(const Record<D>& record, const WindowMean& mean, const ColumnState& column,
+                                     double area) {
   const auto slices = static_cast<std::size_t>(record.scene.output.slices);
   const auto of = [&](std::size_t slice, double ColumnSlice::*member) {
     return mean([&](std::size_t row) { return record.column_slices[row * slices + slice].*member; });
@@ -72,17 +74,17 @@ std::vector<ColumnLayer> mean_layers(const Record<2>& record, const WindowMean& 
     layer.load = of(k, &ColumnSlice::load);
     layers.push_back(layer);
   }
-  // All slices have the same disc area: that of the inner ones follows from their solid fraction.
+  // All slices hold the same area of discs, or volume of spheres: that of the inner ones follows from their solid
+  // fraction.
   const auto within = inner(layers);
-  const double disc_area = within.empty()
-                               ? ColumnState::none
-                               : column.solid_fraction * column.width * (within.back().top - within.front().bottom) /
-                                     static_cast<double>(within.size());
+  const double solid = within.empty() ? ColumnState::none
+                                      : column.solid_fraction * area * (within.back().top - within.front().bottom) /
+                                            static_cast<double>(within.size());
   for (std::size_t k = 0; k < slices; ++k) {
     auto& layer = layers[k];
     const double above = k + 1 < slices ? layers[k + 1].load : 0.0;
-    layer.stress = 0.5 * (layer.load + above) / column.width;
-    layer.solid_fraction = disc_area / (column.width * (layer.top - layer.bottom));
+    layer.stress = 0.5 * (layer.load + above) / area;
+    layer.solid_fraction = solid / (area * (layer.top - layer.bottom));
   }
   return layers;
 }
@@ -136,42 +138,83 @@ ColumnFit fit_of(const ColumnState& column, double gravity) {
   return fit;
 }
 
+/// The forces of the walls at the sides.
+struct SideForces {
+  double load = 0.0;     ///< [M L/T^2] upwards on the grains, mean over all steps
+  double upwards = 0.0;  ///< [M L/T^2] the same by what `normal` is measured by
+  double normal = 0.0;   ///< [M L/T^2] on them; of two walls on one
+};
+
+SideForces side_forces(const Record<2>& record, const PipeWalls& pipe, const WindowMean&) {
+  const auto forces = mean_wall_forces(record);
+  const auto& left = forces.walls[pipe.left].force;
+  const auto& right = forces.walls[pipe.right].force;
+  const double load = -(left[1] + right[1]);
+  return {load, load, right[0] - left[0]};
+}
+
+/// The normal forces on a cylinder cancel in its sum, so they are those of the slices, at the rows of the series.
+SideForces side_forces(const Record<3>& record, const WallsOfPipe<3>& pipe, const WindowMean& mean) {
+  const auto walls = record.walls.size();
+  const auto slices = static_cast<std::size_t>(record.scene.output.slices);
+  const double perimeter = pipe.at(record.walls).perimeter();
+  const auto sum = [&](double ColumnSlice::*member) {
+    return mean([&](std::size_t row) {
+      const auto* slice = &record.column_slices[row * slices];
+      double force = 0.0;
+      double bottom = 0.0;
+      for (std::size_t k = 0; k < slices; ++k) {
+        force += slice[k].*member * perimeter * (slice[k].top - bottom);
+        bottom = slice[k].top;
+      }
+      return force;
+    });
+  };
+  SideForces forces;
+  forces.load = -mean([&](std::size_t row) { return record.wall_series[row * walls + pipe.side].force[2]; });
+  forces.upwards = sum(&ColumnSlice::shear);
+  forces.normal = sum(&ColumnSlice::pressure);
+  return forces;
+}
+
 /// The downward force on what lies below the column: level walls below its centre, else base grains.
-double floor_load(const Record<2>& record, const PipeWalls& pipe, const WindowMean& mean) {
+template <int D>
+double floor_load(const Record<D>& record, const WallsOfPipe<D>& pipe, const WindowMean& mean) {
   const auto slices = static_cast<std::size_t>(record.scene.output.slices);
   if (!pipe.floor) {
     return mean([&](std::size_t row) { return record.column_slices[row * slices].load; });
   }
   const auto walls = record.walls.size();
-  const double floor = record.walls[*pipe.floor].wall.point[1];
+  const double floor = record.walls[*pipe.floor].wall.point[up<D>];
   const double middle = floor + record.column_series.back().centre;
   double load = 0.0;
   for (std::size_t w = 0; w < walls; ++w) {
-    if (w == pipe.left || w == pipe.right || !(record.walls[w].wall.point[1] < middle)) continue;
-    load -= mean([&](std::size_t row) { return record.wall_series[row * walls + w].force[1]; });
+    if (pipe.is_side(w) || !(record.walls[w].wall.point[up<D>] < middle)) continue;
+    load -= mean([&](std::size_t row) { return record.wall_series[row * walls + w].force[up<D>]; });
   }
   return load;
 }
 
 /// Sets what a moving floor does to the column.
-void follow_floor(const Record<2>& record, const PipeWalls& pipe, const WindowMean& mean, ColumnState& column) {
+template <int D>
+void follow_floor(const Record<D>& record, const WallsOfPipe<D>& pipe, const WindowMean& mean, ColumnState& column) {
   if (!pipe.floor) return;
   const auto& motion = record.walls[*pipe.floor].wall.motion;
-  if (motion.kind == WallMotion<2>::Kind::none || std::fabs(motion.direction[1]) < 0.5) return;
+  if (motion.kind == WallMotion<D>::Kind::none || std::fabs(motion.direction[up<D>]) < 0.5) return;
   const auto& rows = record.series;
   const auto walls = record.walls.size();
   const auto slices = static_cast<std::size_t>(record.scene.output.slices);
   std::size_t start = 0;
   while (start + 1 < rows.size() && rows[start + 1].time <= motion.start) ++start;
   const auto floor = [&](std::size_t row) {
-    return record.wall_series[row * walls + *pipe.floor].displacement * motion.direction[1];
+    return record.wall_series[row * walls + *pipe.floor].displacement * motion.direction[up<D>];
   };
   const auto slice = [&](std::size_t row, std::size_t k) { return record.column_slices[row * slices + k].top; };
   const auto middle = [&](std::size_t row, std::size_t k) {
     return 0.5 * (slice(row, k) + (k > 0 ? slice(row, k - 1) : 0.0)) + floor(row);
   };
   // A spring first gives way under the weight: what counts begins where the floor turns.
-  const double sense = motion.speed * motion.direction[1] < 0.0 ? -1.0 : 1.0;
+  const double sense = motion.speed * motion.direction[up<D>] < 0.0 ? -1.0 : 1.0;
   for (std::size_t row = start + 1; row < rows.size(); ++row) {
     if (sense * floor(row) < sense * floor(start)) start = row;
   }
@@ -200,35 +243,49 @@ void follow_floor(const Record<2>& record, const PipeWalls& pipe, const WindowMe
   column.later_shortening = column.shortening - shortened;
 }
 
+void set_place(const Pipe& pipe, ColumnState& column) { column.width = pipe.width(); }
+void set_place(const CylinderPipe& pipe, ColumnState& column) {
+  column.radius = pipe.radius;
+  column.axis = pipe.axis;
+}
+
+bool always_empty(const std::vector<ColumnRow>& rows) {
+  return std::none_of(rows.begin(), rows.end(), [](const auto& row) { return row.height > 0.0; });
+}
+
 }  // namespace
 
-std::optional<ColumnState> measure_column_of(const Record<2>& record) {
-  const auto pipe = find_pipe(record.scene);
+template <int D>
+std::optional<ColumnState> measure_column_of(const Record<D>& record) {
+  const auto pipe = find_pipe<D>(record.scene);
   const auto rows = record.series.size();
   const auto slices = static_cast<std::size_t>(record.scene.output.slices);
   if (!pipe || rows == 0 || record.column_series.size() != rows) return std::nullopt;
   if (record.column_slices.size() != rows * slices) return std::nullopt;
   if (record.wall_series.size() != rows * record.walls.size()) return std::nullopt;
-  const auto wall_forces = mean_wall_forces(record);
-  const WindowMean mean(record, wall_forces.window_start * (1.0 + 1e-12));
+  if (D == 3 && always_empty(record.column_series)) return std::nullopt;
+  const double start = rows_of_window(record.series, record.scene.output.window).start;
+  const WindowMean mean(record.series, start * (1.0 + 1e-12));
+  const auto place = pipe->at(record.walls);
   ColumnState column;
-  column.width = pipe->at(record.walls).width();
+  set_place(place, column);
+  column.floor = place.floor;
+  if (pipe->floor) column.floor_wall = static_cast<std::int64_t>(*pipe->floor);
   column.height = mean([&](std::size_t row) { return record.column_series[row].height; });
   column.solid_fraction = mean([&](std::size_t row) { return record.column_series[row].solid_fraction; });
   if (!(column.height > 0.0)) return column;
-  column.layers = mean_layers(record, mean, column);
+  const double area = place.cross_section();
+  column.layers = mean_layers(record, mean, column, area);
   column.mass = 0.0;
   for (const auto& layer : column.layers) column.mass += layer.mass;
-  const auto& left = wall_forces.walls[pipe->left];
-  const auto& right = wall_forces.walls[pipe->right];
-  column.wall_load = -(left.force[1] + right.force[1]);
-  const double normal = right.force[0] - left.force[0];
-  if (normal > 0.0) column.friction = column.wall_load / normal;
+  const auto sides = side_forces(record, *pipe, mean);
+  column.wall_load = sides.load;
+  if (sides.normal > 0.0) column.friction = sides.upwards / sides.normal;
   const double load = floor_load(record, *pipe, mean);
   const double gravity = record.scene.gravity;
   column.stress_ratio = stress_ratio_of(column.layers);
   if (column.stress_ratio) {
-    column.screening_length = column.width / (2.0 * column.stress_ratio->mean * column.friction);
+    column.screening_length = area / (place.perimeter() * column.stress_ratio->mean * column.friction);
   }
   if (gravity > 0.0) {
     const double weight = column.mass * gravity;
@@ -241,5 +298,8 @@ std::optional<ColumnState> measure_column_of(const Record<2>& record) {
   follow_floor(record, *pipe, mean, column);
   return column;
 }
+
+template std::optional<ColumnState> measure_column_of(const Record<2>&);
+template std::optional<ColumnState> measure_column_of(const Record<3>&);
 
 }  // namespace repose

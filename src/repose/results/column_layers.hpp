@@ -9,7 +9,12 @@
 
 namespace repose {
 
-/// The datasets of `column` in analysis.h5.
+/// The datasets of `column` in analysis.h5. Names and order are the same in both dimensions, units are not.
+template <int D>
 const Columns<std::vector<ColumnLayer>>& column_layers();
+template <>
+const Columns<std::vector<ColumnLayer>>& column_layers<2>();
+template <>
+const Columns<std::vector<ColumnLayer>>& column_layers<3>();
 
 }  // namespace repose

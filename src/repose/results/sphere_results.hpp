@@ -13,6 +13,7 @@
 #include "repose/analysis/sphere_packing.hpp"
 #include "repose/analysis/sphere_structure.hpp"
 #include "repose/record/record.hpp"
+#include "repose/results/column.hpp"
 #include "repose/results/results.hpp"
 
 #include <cstddef>
@@ -54,6 +55,7 @@ struct Results<3> {
   ConeCore core;
   BaseRings base;  ///< mean over output.window; on a plane at one time
   SphereWallForces walls;
+  std::optional<ColumnState> column;  ///< in an upright cylinder
   std::optional<ForceStatistics> forces;
   Chains chains;
   std::optional<ContactFabric> fabric;

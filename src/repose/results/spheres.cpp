@@ -224,6 +224,7 @@ Results<3> analyse(const Record<3>& record) {
   results.chains = find_chains(grains, contacts, threshold, record.box);
   results.fabric = measure_contact_fabric(contacts, threshold);
   results.walls = mean_forces(record);
+  results.column = measure_column_of(record);
   double mass = 0.0;
   for (std::size_t k = 0; k < grains.size(); ++k) {
     if (in_heap[k]) mass += grains.line[k].mass;

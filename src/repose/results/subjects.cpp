@@ -29,6 +29,7 @@ void add_state(Registry& to);
 // In three dimensions.
 void add_run(RegistryIn<3>& to);
 void add_spheres(RegistryIn<3>& to);
+void add_column(RegistryIn<3>& to);
 void add_solver(RegistryIn<3>& to);
 void add_state(RegistryIn<3>& to);
 
@@ -61,7 +62,7 @@ std::vector<Subject> subjects<2>() {
 
 template <>
 std::vector<SubjectIn<3>> subjects<3>() {
-  return {add_run, add_spheres, add_solver, add_state};
+  return {add_run, add_spheres, add_column, add_solver, add_state};
 }
 
 }  // namespace repose

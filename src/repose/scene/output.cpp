@@ -37,9 +37,12 @@ void file_keys(Scene& scene, Parameters& keys) {
   if (in_time) {
     keys.number("output.window", output.window, {10.0 * fall, "10 sqrt(d/g); 10 without gravity"}, positive, unit,
                 "interval at the end over which base forces are averaged");
-    if (traits.has_forces() && scene.dimension == 2) {
+    if (traits.has_forces()) {
       keys.integer("output.slices", output.slices, {.low = 2, .high = 1000},
-                   "slices of equal disc area in which the time series follows a column between two upright walls");
+                   scene.dimension == 2
+                       ? "slices of equal disc area in which the time series follows a column between two upright walls"
+                       : "slices of equal volume of spheres in which the time series follows a column in an upright "
+                         "cylinder");
     }
     keys.number("output.track", output.track, not_negative, unit,
                 "interval between moments at which the place of every grain is kept, for avalanches; 0: none");

@@ -27,7 +27,7 @@ struct OutputKeys {
   double track = 0.0;        ///< [T] between two moments of the track; 0: none
   double checkpoint = 60.0;  ///< [s] of wall time between checkpoints; 0: only when interrupted
   bool energy = false;       ///< keep the energy budget
-  std::int64_t slices = 10;  ///< of a column between two upright walls
+  std::int64_t slices = 10;  ///< of a column between two upright walls or in an upright cylinder
 };
 
 struct AnalysisKeys {

@@ -5,6 +5,7 @@
 #include "repose/analysis/force_network.hpp"
 #include "repose/analysis/heap.hpp"
 #include "repose/analysis/wall_span.hpp"
+#include "repose/core/dimension.hpp"
 #include "repose/record/find_pipe.hpp"
 #include "repose/record/force_unit.hpp"
 #include "repose/record/recorded_wall.hpp"
@@ -94,23 +95,22 @@ void Series<D>::add_spans(const Simulation<D>& simulation, const Contacts<D>& co
 }
 
 std::size_t followed_slices(const Scene& scene) {
-  return scene.dimension == 2 && scene.method->traits().has_forces() && find_pipe(scene)
-             ? static_cast<std::size_t>(scene.output.slices)
-             : 0;
+  if (!scene.method->traits().has_forces()) return 0;
+  const bool has_pipe =
+      with_dimension(scene.dimension, [&](auto dimension) { return find_pipe<dimension>(scene).has_value(); });
+  return has_pipe ? static_cast<std::size_t>(scene.output.slices) : 0;
 }
 
 template <int D>
 void Series<D>::add_column(const Simulation<D>& simulation, const Contacts<D>& contacts, const Method<D>& method) {
-  if constexpr (D == 2) {
-    const auto& scene = simulation.scene();
-    const auto pipe = scene.method->traits().has_forces() ? find_pipe(scene) : std::nullopt;
-    if (!pipe) return;
-    const auto walls = recorded_walls<D>(scene, method.walls(), simulation.time());
-    const auto column =
-        measure_column(pipe->at(walls), simulation.grains(), contacts, static_cast<std::size_t>(scene.output.slices));
-    columns_.push_back(column.row);
-    slices_.insert(slices_.end(), column.slices.begin(), column.slices.end());
-  }
+  const auto& scene = simulation.scene();
+  const auto pipe = scene.method->traits().has_forces() ? find_pipe<D>(scene) : std::nullopt;
+  if (!pipe) return;
+  const auto walls = recorded_walls<D>(scene, method.walls(), simulation.time());
+  const auto column =
+      measure_column(pipe->at(walls), simulation.grains(), contacts, static_cast<std::size_t>(scene.output.slices));
+  columns_.push_back(column.row);
+  slices_.insert(slices_.end(), column.slices.begin(), column.slices.end());
 }
 
 template <int D>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/sweep/determined.hpp"
 
+#include "repose/core/dimension.hpp"
 #include "repose/scene/geometry.hpp"
 
 #include <algorithm>
@@ -25,11 +26,16 @@ bool is_about_column(const Claim& claim) {
   return claim.kind == Claim::Kind::fit || claim.measure.starts_with("column.fit");
 }
 
+template <int D>
+bool has_moving_wall_in(const Scene& scene) {
+  const auto walls = make_walls<D>(scene);
+  return std::any_of(walls.begin(), walls.end(),
+                     [](const auto& wall) { return wall.motion.kind != WallMotion<D>::Kind::none; });
+}
+
 /// A moving wall makes the contacts slide, again and again: what it meets is a mean over many states.
 bool has_moving_wall(const Scene& scene) {
-  const auto walls = make_walls(scene);
-  return std::any_of(walls.begin(), walls.end(),
-                     [](const auto& wall) { return wall.motion.kind != WallMotion<2>::Kind::none; });
+  return with_dimension(scene.dimension, [&](auto dimension) { return has_moving_wall_in<dimension>(scene); });
 }
 
 /// The name of the band of a measure in the summary, "" if none is computed.

@@ -76,6 +76,8 @@ void write_sweep_file(const std::string& path, const SweepPlan& plan, const Swee
   file.attribute("/", "repose_version", std::string(version));
   file.attribute("/", "title", plan.title);
   file.attribute("/", "units", plan.points.front().scene.units);
+  const auto dimension = plan.points.front().scene.dimension;
+  if (dimension == 3) file.attribute("/", "dimension", dimension);  // files without it are of discs
   file.attribute("/", "interval", interval_probability);
   file.attribute("/", "resamples", static_cast<std::int64_t>(resamples));
   write_points(file, plan, table);
@@ -91,7 +93,9 @@ void write_sweep_file(const std::string& path, const SweepPlan& plan, const Swee
   }
   file.group("columns");
   for (std::size_t p = 0; p < plan.points.size(); ++p) {
-    if (table.columns[p]) write_group(file, column_group(fmt::format("columns/{:04}", p)), *table.columns[p]);
+    if (!table.columns[p]) continue;
+    const auto group = column_group(fmt::format("columns/{:04}", p), plan.points[p].scene.dimension);
+    write_group(file, group, *table.columns[p]);
   }
   file.commit();
 }

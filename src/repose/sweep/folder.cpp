@@ -71,7 +71,7 @@ bool holds(const std::string& path, const std::vector<SweepFile>& files) {
 /// Adds what the analysis of a member found beside its summary: the slices of its column, the drops of its slips.
 void read_analysis(const std::string& path, MemberRow& row) {
   const Hdf5Reader file(path);
-  if (file.has("column")) read_columns(file, "column", column_layers(), row.column);
+  if (file.has("column")) read_columns(file, "column", column_layers<2>(), row.column);
   if (file.has("slips")) row.drops = file.dataset<double>("slips/drop");
 }
 

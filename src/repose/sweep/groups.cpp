@@ -90,7 +90,10 @@ Group<EnsembleProfile> profile_group(const std::string& name) {
       }};
 }
 
-Group<EnsembleColumn> column_group(const std::string& name) {
+Group<EnsembleColumn> column_group(const std::string& name, std::int64_t dimension) {
+  const bool flat = dimension == 2;
+  const std::string stress = flat ? "M/T^2" : "M/(L T^2)";
+  const std::string walls = flat ? "the two walls" : "the cylinder";
   using Rows = std::vector<EnsembleLayer>;
   Columns<Rows> columns;
   const auto add = [&](const std::string& dataset, Estimate EnsembleLayer::*number, const std::string& unit,
@@ -102,10 +105,11 @@ Group<EnsembleColumn> column_group(const std::string& name) {
         "standard error between members"));
   };
   add("depth", &EnsembleLayer::depth, "L", "of the middle of the slice below the surface");
-  add("solid_fraction", &EnsembleLayer::solid_fraction, "", "disc area over area");
-  add("pressure", &EnsembleLayer::pressure, "M/T^2", "on the two walls");
-  add("shear", &EnsembleLayer::shear, "M/T^2", "of the two walls, upwards on the grains");
-  add("stress", &EnsembleLayer::stress, "M/T^2", "vertical");
+  add("solid_fraction", &EnsembleLayer::solid_fraction, "",
+      flat ? "disc area over area" : "volume of the spheres over volume");
+  add("pressure", &EnsembleLayer::pressure, stress, "on " + walls);
+  add("shear", &EnsembleLayer::shear, stress, "of " + walls + ", upwards on the grains");
+  add("stress", &EnsembleLayer::stress, stress, "vertical");
   add("load", &EnsembleLayer::load, "M L/T^2", "upward force through the lower level");
   return {name,
           "S",
@@ -129,7 +133,8 @@ Group<BinnedProfile> binned_group(const std::string& name) {
 
 std::vector<ReferenceTable> sweep_reference() {
   const auto profile = profile_group("profiles");
-  const auto of_column = column_group("columns");
+  const auto of_column = column_group("columns", 2);
+  const auto in_cylinder = column_group("columns", 3);
   return {
       claims_reference(),
       reference_of("points", "/points/", point_group().rows, point_group().columns),
@@ -139,6 +144,7 @@ std::vector<ReferenceTable> sweep_reference() {
       reference_of("profiles", "/profiles/NNNN/", profile.rows, profile.columns),
       reference_of("columns", of_column.attributes),
       reference_of("columns", "/columns/NNNN/", of_column.rows, of_column.columns),
+      reference_of("columns of spheres", "/columns/NNNN/", in_cylinder.rows, in_cylinder.columns),
   };
 }
 

@@ -6,6 +6,7 @@
 #include "repose/io/reference_table.hpp"
 #include "repose/sweep/table.hpp"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,8 @@ const Group<std::vector<PointRow>>& point_group();
 const Group<std::vector<MemberRow>>& member_group();
 Group<std::vector<EnsembleEstimate>> estimate_group(const std::string& name, const std::string& unit);
 Group<EnsembleProfile> profile_group(const std::string& name);
-Group<EnsembleColumn> column_group(const std::string& name);
+/// Units are those of so many dimensions.
+Group<EnsembleColumn> column_group(const std::string& name, std::int64_t dimension);
 Group<BinnedProfile> binned_group(const std::string& name);
 
 /// The columns of claims.csv.

@@ -58,7 +58,9 @@ void gather(const SweepPlan& plan, const SweepTable& table, const HeightPlan& wa
     fit.members += static_cast<double>(load.count);
     ratios.push_back(entry(table, p, "column.stress_ratio.mean").mean);
     frictions.push_back(std::fabs(entry(table, p, "column.friction").mean));
-    widths.push_back(entry(table, p, "column.width").mean);
+    // The radius of a cylinder has the place of the width in Janssen's law.
+    const auto* const width = plan.points[p].scene.dimension == 2 ? "column.width" : "column.radius";
+    widths.push_back(entry(table, p, width).mean);
   }
   fit.stress_ratio = mean_by_t(ratios);
   fit.friction = mean_of(frictions).mean;

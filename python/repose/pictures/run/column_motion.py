@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""How a column between two walls follows its moving floor: surface, length, front of the motion, and load of the floor."""
+"""How a column between two walls, or in a cylinder, follows its moving floor: surface, length, front of the motion, and
+load of the floor."""
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -49,7 +50,8 @@ def draw(run, state):
 
 def _load(run, motion):
     """Downward force of the grains on the floor [grain weights] at the rows of the motion; None where no wall is it."""
-    wall, force = floor_wall(run), run.series.get("wall_force_y")
+    vertical = "z" if run.attributes["dimension"] == 3 else "y"
+    wall, force = floor_wall(run), run.series.get(f"wall_force_{vertical}")
     if wall is None or force is None:
         return None
     row = np.searchsorted(run.series["time"], motion["time"] * (1.0 - ROUNDING))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Repose developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The floor of a column between two upright walls, chosen as the analysis does."""
+"""The floor of a column between two upright walls or in an upright cylinder, chosen as the analysis does."""
 
 import numpy as np
 
@@ -10,9 +10,14 @@ ROUNDING = 1e-9  # of a normal
 
 
 def floor_wall(run):
-    """The number of the lowest level wall at the start; None where base grains are the floor."""
+    """The number of the wall that is the floor: the lowest level wall at the start, or of spheres the one that the
+    analysis names; None where base grains are the floor."""
     if run.walls is None:
         return None
+    if run.attributes["dimension"] == 3:
+        column = run.analysis and run.analysis["column"]
+        number = column.attributes.get("floor_wall", -1) if column else -1
+        return None if number < 0 else number
     up = np.where(np.isfinite(run.walls["half_length"]), np.abs(run.walls["normal"][:, 1]), run.walls["normal"][:, 1])
     level = np.flatnonzero(up > 1.0 - ROUNDING)
     return level[np.argmin(run.walls["point"][level, 1])] if len(level) else None

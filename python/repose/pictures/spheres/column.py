@@ -3,6 +3,8 @@
 """A column of spheres in an upright cylinder: its force network in a section, and beside it the stresses by height with
 Janssen's law."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from repose.pictures.janssen import Janssen
@@ -23,7 +25,7 @@ def draw(run, state):
     """Figure of the last state, and of means over output.window."""
     column = analysis_table(run, state, "column", NO_COLUMN)
     largest = largest_of(run, state)
-    plane = upright_plane(space_box(run, state))
+    plane = replace(upright_plane(space_box(run, state)), level=column.attributes.get("axis_y", 0.0))
     rows = [legend_rows(run) * LEGEND_ROW]
     (panel,) = make_views(run, state, [plane], rows, beside=BESIDE, remark=where(run, plane))
     add_section_of_forces(panel, run, state, plane, largest)
@@ -32,10 +34,8 @@ def draw(run, state):
 
 
 def law_of_cylinder(run, values):
-    """Janssen's law in a cylinder of radius R: s' = weight/(pi R^2 height) - 2 stress_ratio friction s/R, which is the law
-    between two walls of width R that carry weight/(pi R) per length."""
+    """Janssen's law of the measured stress ratio and friction: no fit to the stresses drawn."""
     gravity = np.linalg.norm(np.asarray(run.attributes.get("gravity", [0.0, 0.0, np.nan]), dtype=float))
-    radius = values.get("radius", np.nan)
-    names = ("height", "stress_ratio", "friction")
-    weight = values.get("mass", np.nan) * gravity / (np.pi * radius)
-    return Janssen(**{name: values.get(name, np.nan) for name in names}, width=radius, weight=weight)
+    weight = values.get("mass", np.nan) * gravity
+    names = ("radius", "height", "stress_ratio", "friction")
+    return Janssen.in_cylinder(**{name: values.get(name, np.nan) for name in names}, weight=weight)

@@ -25,7 +25,7 @@ CAPTION = (
 LABEL = (0.22, 0.2)  # inch of the labels of all axes
 POINTS = 200  # of a curve
 HEADROOM = 1.25  # end of the axis over the largest value: space for the text
-MEASURES = {"width": "width", "height": "height", "stress_ratio": "stress_ratio.mean", "friction": "friction"}
+MEASURES = {"height": "height", "stress_ratio": "stress_ratio.mean", "friction": "friction"}
 
 
 def draw(sweep):
@@ -90,9 +90,14 @@ def _panel(axes, sweep, point):
 
 def _law(sweep, point):
     """Janssen's law of the means over the members of a point."""
-    numbers = {
-        name: sweep.measures[f"column.{key}"]["mean"][point] if f"column.{key}" in sweep.measures else np.nan
-        for name, key in MEASURES.items()
-    }
+
+    def mean(key):
+        measure = sweep.measures.get(f"column.{key}")
+        return np.nan if measure is None else measure["mean"][point]
+
+    numbers = {name: mean(key) for name, key in MEASURES.items()}
     gravity = sweep.scene(sweep.points[point]).get("gravity", np.nan)
-    return Janssen(**numbers, weight=sweep.columns[point].attributes.get("mass", np.nan) * gravity)
+    numbers["weight"] = sweep.columns[point].attributes.get("mass", np.nan) * gravity
+    if sweep.attributes.get("dimension", 2) == 3:
+        return Janssen.in_cylinder(mean("radius"), **numbers)
+    return Janssen(mean("width"), **numbers)
