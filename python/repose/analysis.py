@@ -32,6 +32,7 @@ SPHERE_GROUPS = {
     "cone_surface": "r height sector_height used",
     "cone_sectors": "azimuth_deg angle_deg",
     "base_rings": "r inner outer count pressure pressure_error shear shear_error load",
+    "base_cells": "x y count pressure shear_x shear_y",
     "axial_fields": "r z density solid_fraction stress_rr stress_tt stress_zz stress_rz",
     "forces": "f density error direction_cosine direction_all direction_strong",
     "chains": "contacts grains chain",

@@ -115,6 +115,10 @@ class Units:
             return self._of(symbol, "(mg/σ²)", "M/(L T²)", "Pa")
         return self._of(symbol, "(mg/σ)", "M/T²", "N/m")
 
+    def stress_value(self, value):
+        reduced, si = (" mg/σ²", " Pa") if self.dimension == 3 else (" mg/σ", " N/m")
+        return f"{value:.3g}" + self._unit(reduced, "", si)
+
     def density(self, symbol):
         """Mass per volume, or per area in two dimensions."""
         power = "³" if self.dimension == 3 else "²"

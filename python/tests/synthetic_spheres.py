@@ -154,6 +154,7 @@ def write_analysis(folder, ids, centre, diameter, weight, time=120.0):
         angle = 31.0 + np.array([0.5, -0.5, 1.0, -1.0, 0.3, -0.3, 0.8, np.nan])
         write_group(file.create_group("cone_sectors"), {"azimuth_deg": 22.5 + 45.0 * np.arange(8), "angle_deg": angle})
         write_rings(file.create_group("base_rings"), r, diameter, foot)
+        write_cells(file.create_group("base_cells"), diameter, foot)
         write_fields(file.create_group("axial_fields"), r, diameter, height)
         f = 0.1 * (np.arange(50) + 0.5)
         cosine = (np.arange(20) + 0.5) / 20.0
@@ -182,6 +183,19 @@ def write_rings(group, r, diameter, foot):
     columns |= {"pressure_error": 0.1 * pressure, "shear": 0.2 * pressure, "shear_error": 0.02 * pressure}
     columns["pressure_error"][0] = np.nan
     write_group(group, {**columns, "load": np.cumsum(pressure * area)}, width=diameter)
+
+
+def write_cells(group, diameter, foot):
+    """A cone of pressure on cells of 2 diameters, one of which lies at the origin, and shear outwards; a sphere far away."""
+    at = 2.0 * diameter * np.arange(-6, 7)
+    x, y = (values.ravel() for values in np.meshgrid(at, at, indexing="ij"))
+    r = np.hypot(x, y)
+    inside = r < foot
+    x, y, r = (np.append(values[inside], far * diameter) for values, far in ((x, 60.0), (y, 0.0), (r, 60.0)))
+    pressure = np.maximum(0.01, 4.0 * (1.0 - r / foot))
+    outwards = 0.2 * pressure / np.maximum(r, diameter)
+    columns = {"x": x, "y": y, "count": np.full(len(x), 3), "pressure": pressure, "shear_x": outwards * x, "shear_y": outwards * y}
+    write_group(group, columns, side_x=2.0 * diameter, side_y=2.0 * diameter, load=4.0 * diameter**2 * pressure.sum())
 
 
 def write_fields(group, r, diameter, height):

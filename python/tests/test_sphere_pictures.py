@@ -10,7 +10,7 @@ import matplotlib
 import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.collections import EllipseCollection, QuadMesh
+from matplotlib.collections import EllipseCollection, PolyCollection, QuadMesh
 from matplotlib.colors import to_hex
 from matplotlib.quiver import Quiver
 from synthetic_analysis import write_group
@@ -26,6 +26,7 @@ from repose.pictures.run.common_axes import common_axes
 from repose.pictures.run.space_box import space_box
 from repose.pictures.run.visible_box import Box
 from repose.pictures.spheres import SPHERE_PICTURES
+from repose.pictures.spheres.base_cells import NO_CELLS, mean_shear_of_cells, nearest_cells
 from repose.pictures.spheres.base_map import mean_shear
 from repose.pictures.spheres.base_rings import hydrostatic
 from repose.pictures.spheres.column import law_of_cylinder
@@ -56,18 +57,17 @@ NO_COLUMN = {
     "column": "no column in an upright cylinder was measured",
     "column_motion": "there is no column between two upright walls whose floor moves",
 }
-NO_BASE = {"base_map": "there is no base of grains"}
 NO_FORCE = {"forces": "no contact carries a force"}
 NO_ANALYSIS = dict.fromkeys(
-    "force_distribution directions voronoi fields base_rings cone avalanches slips column column_motion correlations".split(),
+    "force_distribution directions voronoi fields base_map base_rings cone avalanches slips column column_motion correlations".split(),
     "the last state has no analysis.h5 (repose analyse DIR writes it)",
 )
 FEW_ROWS = {"energy": "the time series has fewer than two rows"}
 NOT_DRAWN = {
-    "floor": NO_BASE | NO_COLUMN,
+    "floor": NO_COLUMN,
     "periodic": NO_FORCE | NO_BUDGET | NO_COLUMN,
-    "one": NO_FORCE | NO_BUDGET | NO_BASE | FEW_ROWS | NO_ANALYSIS,
-    "nothing": NO_FORCE | NO_BUDGET | NO_BASE | FEW_ROWS | NO_ANALYSIS | dict.fromkeys(("projection", "slice"), "no grains"),
+    "one": NO_FORCE | NO_BUDGET | FEW_ROWS | NO_ANALYSIS,
+    "nothing": NO_FORCE | NO_BUDGET | FEW_ROWS | NO_ANALYSIS | dict.fromkeys(("projection", "slice"), "no grains"),
 }
 
 
@@ -235,6 +235,50 @@ def test_base_map_has_the_force_of_each_loaded_grain(folder):
     assert (outwards > 0.0).all()  # the shear of this base points outwards
     (cross,) = [line for line in figure.axes[0].get_lines() if line.get_marker() == "+"]
     assert (cross.get_xdata()[0], cross.get_ydata()[0]) == pytest.approx(tuple(AXIS))
+
+
+def test_base_map_of_a_floor_has_the_pressure_of_each_cell(tmp_path):
+    run, figure = drawn(write_spheres(tmp_path / "run", **RUNS["floor"]), "base_map")
+    axes = figure.axes[0]
+    cells = nearest_cells(run.analysis["base_cells"], 0.995)
+    assert 20 < len(cells["x"]) < len(run.analysis["base_cells"]["x"])
+    (squares,) = [artist for artist in axes.collections if type(artist) is PolyCollection]
+    np.testing.assert_allclose(squares.get_array(), cells["pressure"])
+    corners = np.array([path.vertices[:4] for path in squares.get_paths()])
+    np.testing.assert_allclose(corners.mean(axis=1), np.column_stack([cells["x"], cells["y"]]), atol=1e-12)
+    np.testing.assert_allclose(np.ptp(corners, axis=1), 2.0)
+    (arrows,) = [artist for artist in axes.collections if isinstance(artist, Quiver)]
+    assert (arrows.U * arrows.X + arrows.V * arrows.Y >= 0.0).all()  # the shear of this floor points outwards
+    assert "pressure on the floor / (mg/σ²)" in [text.get_text() for text in figure.texts]
+
+
+def test_a_run_without_a_base_has_no_base_map(tmp_path):
+    folder = write_spheres(tmp_path / "run", **RUNS["floor"])
+    with h5py.File(folder / "analysis.h5", "a") as file:
+        del file["base_cells"]
+    with pytest.raises(NotDrawn, match=NO_CELLS):
+        drawn(folder, "base_map")
+
+
+def test_the_nearest_cells_hold_the_load():
+    """A heap of 99 about x = 1 and two far cells with the rest."""
+    cells = {"x": np.array([-50.0, 0.0, 1.0, 2.0, 40.0]), "y": np.zeros(5), "pressure": np.array([0.5, 24.0, 51.0, 24.0, 0.5])}
+    assert list(nearest_cells(cells, 0.98)["x"]) == [0.0, 1.0, 2.0]
+    assert list(nearest_cells(cells, 0.995)["x"]) == [0.0, 1.0, 2.0, 40.0]
+    assert len(nearest_cells(cells, 1.0)["x"]) == 5
+    still = {**cells, "pressure": np.zeros(5)}
+    assert nearest_cells(still, 0.5) is still
+
+
+def test_mean_shear_of_groups_of_cells_counts_those_without_a_load():
+    """Two by two cells of sides 2 and 3, of which one is not listed, and a cell of the next group along x."""
+    cells = {"x": np.array([1.0, 1.0, 3.0, 5.0]), "y": np.array([1.0, 4.0, 1.0, 1.0])}
+    cells |= {"shear_x": np.array([1.0, 2.0, 5.0, 4.0]), "shear_y": np.array([0.0, 8.0, 0.0, -4.0])}
+    middle, mean = mean_shear_of_cells(cells, np.array([2.0, 3.0]), 2)
+    np.testing.assert_allclose(middle, [[2.0, 2.5], [6.0, 2.5]])
+    np.testing.assert_allclose(mean, [[2.0, 2.0], [1.0, -1.0]])
+    each = mean_shear_of_cells(cells, np.array([2.0, 3.0]), 1)[1]
+    np.testing.assert_allclose(each, np.column_stack([cells["shear_x"], cells["shear_y"]]))
 
 
 def test_mean_shear_of_cells_keeps_the_sum():

@@ -115,7 +115,7 @@ TEST(BaseRings, ErrorsOverSectors) {
 // Forces from contacts: a pyramid on a floor, whose loads sum to its weight, and one sphere on three base grains.
 TEST(BaseRings, LoadsFromContacts) {
   const SquarePyramid pyramid(4);
-  const auto on_floor = loads_on_wall({pyramid.grains, Box<3>{}}, pyramid.contacts, 0);
+  const auto on_floor = loads_on_walls({pyramid.grains, Box<3>{}}, pyramid.contacts, {true});
   EXPECT_EQ(on_floor.size(), 16U);
   const auto base = measure_base_rings(on_floor, {.axis = {}, .width = 0.8});
   EXPECT_NEAR(base.load, 30.0, 1e-10);

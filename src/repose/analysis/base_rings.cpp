@@ -97,10 +97,11 @@ std::vector<BaseLoad> loads_on_base_grains(const OrderedGrains<3>& grains, const
   return loads;
 }
 
-std::vector<BaseLoad> loads_on_wall(const OrderedGrains<3>& grains, const Contacts<3>& contacts, std::int64_t wall) {
+std::vector<BaseLoad> loads_on_walls(const OrderedGrains<3>& grains, const Contacts<3>& contacts,
+                                     const std::vector<bool>& walls) {
   std::vector<BaseLoad> loads;
   for (const auto& contact : contacts.list) {
-    if (contact.second != wall_partner(wall)) continue;
+    if (contact.second >= 0 || !walls[static_cast<std::size_t>(-1 - contact.second)]) continue;
     const auto& grain = grains->line[grains.find(contact.first).value()];
     if (grain.fixed()) continue;
     const Vec<3> point = grain.position - contact.normal * contact.first_lever;

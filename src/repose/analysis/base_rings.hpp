@@ -7,7 +7,6 @@
 #include "repose/core/ordered_grains.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -23,8 +22,10 @@ struct BaseLoad {
 /// centre.
 std::vector<BaseLoad> loads_on_base_grains(const OrderedGrains<3>& grains, const Contacts<3>& contacts);
 
-/// The forces of moving grains on a wall, one for each contact in the order of the list, at the contact point.
-std::vector<BaseLoad> loads_on_wall(const OrderedGrains<3>& grains, const Contacts<3>& contacts, std::int64_t wall);
+/// The forces of moving grains on walls, one for each contact in the order of the list, at the contact point. `walls`
+/// has an entry for each wall: whether it is one of them.
+std::vector<BaseLoad> loads_on_walls(const OrderedGrains<3>& grains, const Contacts<3>& contacts,
+                                     const std::vector<bool>& walls);
 
 struct BaseRingSettings {
   Vec<2> axis{};            ///< [L] x, y

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "repose/analysis/axial_fields.hpp"
+#include "repose/analysis/base_cells.hpp"
 #include "repose/analysis/base_rings.hpp"
 #include "repose/analysis/chains.hpp"
 #include "repose/analysis/cone_shape.hpp"
@@ -53,7 +54,8 @@ struct Results<3> {
   NetworkOfForces<3> network;
   ConicalHeap cone;
   ConeCore core;
-  BaseRings base;  ///< mean over output.window; on a plane at one time
+  BaseRings base;        ///< mean over output.window; on a floor at one time
+  BaseCells base_cells;  ///< the same loads by cells
   SphereWallForces walls;
   std::optional<ColumnState> column;  ///< in an upright cylinder
   std::optional<ForceStatistics> forces;

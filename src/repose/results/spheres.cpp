@@ -4,6 +4,7 @@
 #include "repose/analysis/discs.hpp"
 #include "repose/analysis/heap.hpp"
 #include "repose/record/force_unit.hpp"
+#include "repose/results/base_loads.hpp"
 #include "repose/results/measure.hpp"
 #include "repose/results/sphere_results.hpp"
 #include "repose/results/wall_forces.hpp"
@@ -62,23 +63,13 @@ CellWalls walls_of_cells(const Record<3>& record) {
   return walls;
 }
 
-std::vector<BaseLoad> loads_of(const BaseProfile& base, double unit) {
-  std::vector<BaseLoad> loads;
-  for (std::size_t k = 0; k < base.x.size(); ++k) {
-    const Vec<3> force{{base.shear[k], base.shear_y[k], -base.normal[k]}};
-    loads.push_back({Vec<2>{{base.x[k], base.y[k]}}, force * unit});
-  }
-  return loads;
-}
-
-BaseRings rings_of(const Record<3>& record, const Vec<2>& axis) {
-  const auto loads = loads_of(record.base, record.scene.base_force_unit());
-  if (loads.empty()) return {};
+BaseRings rings_of(const Record<3>& record, const BaseLoads& base, const Vec<2>& axis) {
+  if (base.loads.empty()) return {};
   BaseRingSettings settings;
   settings.axis = axis;
   settings.width = record.scene.analysis.base_bin;
-  settings.area_of_load = record.scene.base->area_of_grain();
-  return measure_base_rings(loads, settings);
+  settings.area_of_load = base.area_of_load;
+  return measure_base_rings(base.loads, settings);
 }
 
 ConeCore core_of(const Record<3>& record, const Results<3>& results, double threshold) {
@@ -231,7 +222,9 @@ Results<3> analyse(const Record<3>& record) {
   }
   const double weight = mass * scene.gravity;
   if (weight > 0.0) results.weight_error = record.facts.support_force / weight - 1.0;
-  results.base = rings_of(record, results.cone.axis);
+  const auto base = base_loads(record);
+  results.base = rings_of(record, base, results.cone.axis);
+  results.base_cells = measure_base_cells(base.loads, scene.analysis.base_cell, record.box);
   results.core = core_of(record, results, threshold);
   results.fields = axial_fields(record.grains, contacts, in_heap, record.box,
                                 {results.cone.axis, scene.analysis.field_width, scene.analysis.field_width, 0.0});

@@ -38,7 +38,8 @@ class BaseKind : public AnyKind<BaseKind> {
   virtual double reach(const Scene& /*scene*/) const { return 0.0; }
   /// [L^2] of the base that belongs to each of its spheres, where all have the same.
   virtual std::optional<double> area_of_grain() const { return std::nullopt; }
-  virtual double depth() const { return 0.0; }  ///< [L] how far its centres lie below height 0 at most
+  /// [L] How far its centres lie below height 0 at most.
+  virtual double depth(const Scene& /*scene*/) const { return 0.0; }
   /// [L] half the width of the box, where the base decides it.
   virtual std::optional<double> box_half_width(const Scene& /*scene*/) const { return std::nullopt; }
 

@@ -46,7 +46,7 @@ void box_keys(Scene& scene, Parameters& keys) {
     const double room = scene.base->of_grains() ? scene.base->reach(scene) : 200.0 * d;
     keys.number("box.half_width", scene.box.half_width,
                 {scene.box.periodic() ? room : room + 20.0 * d,
-                 "base.half_width, or 200 d without a base of grains; 20 d more if open"},
+                 "base.half_width or base.radius, or 200 d without a base of grains; 20 d more if open"},
                 positive, "L", "x from -half_width to half_width");
   }
   if (scene.dimension == 3) {
@@ -151,11 +151,14 @@ void check_box(const Scene& scene, Problems& problems) {
                                                    "deep",
                                                    box.half_depth));
   }
-  if (!box.periodic() && scene.base->of_grains() && problems.sound("base.half_width") &&
-      box.half_width < scene.base->reach(scene)) {
-    problems.problem("box.half_width", fmt::format(" = {}: must be at least base.half_width = {}", box.half_width,
-                                                   scene.base->reach(scene)));
-  }
+  if (!scene.base->of_grains()) return;
+  const auto* reach = scene.dimension == 2 ? "base.half_width" : "base.radius";
+  const auto must_hold_base = [&](const std::string& key, double half) {
+    if (!problems.sound(reach) || !problems.sound(key) || half >= scene.base->reach(scene)) return;
+    problems.problem(key, fmt::format(" = {}: must be at least {} = {}", half, reach, scene.base->reach(scene)));
+  };
+  if (!box.periodic()) must_hold_base("box.half_width", box.half_width);
+  if (scene.dimension == 3 && !box.periodic_y()) must_hold_base("box.half_depth", box.half_depth);
 }
 
 void check_planes(const Scene& scene, Problems& problems) {

@@ -151,7 +151,7 @@ Box<D> make_box(const Scene& scene) {
   }
   constexpr double fall_below_base = 5.0;  // diameters below base grains: nothing comes back from there
   if (scene.method->traits().follows_time && (scene.base->of_grains() || scene.start.base)) {
-    box.floor = -scene.base->depth() - fall_below_base * scene.largest_diameter();
+    box.floor = -scene.base->depth(scene) - fall_below_base * scene.largest_diameter();
   }
   if (scene.box.floor) box.floor = *scene.box.floor;
   return box;

@@ -72,6 +72,8 @@ struct KindOf : Parent {
   }
 };
 
+inline constexpr auto any_kind = [](const auto&) { return true; };
+
 /// The kinds that a scene can choose from, in the order of messages and of the reference.
 template <class Kind>
 class Kinds {
@@ -88,19 +90,22 @@ class Kinds {
 
   const std::vector<Chosen<Kind>>& all() const { return all_; }
 
-  /// A kind with its defaults; empty if there is none of that name.
-  Chosen<Kind> make(std::string_view name) const {
+  /// A kind with its defaults; empty if there is none of that name. Where kinds of two dimensions share a name it is
+  /// the one that `suits` accepts.
+  template <class Suits = decltype(any_kind)>
+  Chosen<Kind> make(std::string_view name, const Suits& suits = any_kind) const {
+    Chosen<Kind> other;
     for (const auto& one : all_) {
-      if (one->name() == name) return one;
+      if (one->name() != name) continue;
+      if (suits(*one)) return one;
+      if (!other) other = one;
     }
-    return {};
+    return other;
   }
 
  private:
   std::vector<Chosen<Kind>> all_;
 };
-
-inline constexpr auto any_kind = [](const auto&) { return true; };
 
 /// The key that chooses among the kinds that `suits` accepts. Where only one does there is nothing to choose, and no
 /// key.
@@ -114,7 +119,7 @@ void kind_key(std::string_view key, Chosen<Kind>& chosen, const Kinds<Kind>& kin
   std::string name(chosen ? chosen->name() : "");
   if (words.size() == 1 && name.empty()) name = words.front().name;
   if (words.size() > 1 || name != words.front().name) keys.choice(key, name, fallback, words, about);
-  if (!chosen || chosen->name() != name) chosen = kinds.make(name);
+  if (!chosen || chosen->name() != name) chosen = kinds.make(name, suits);
 }
 
 }  // namespace repose

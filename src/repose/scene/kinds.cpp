@@ -6,6 +6,7 @@
 #include "repose/scene/bases/bed.hpp"
 #include "repose/scene/bases/counted.hpp"
 #include "repose/scene/bases/deposited.hpp"
+#include "repose/scene/bases/deposited_bed.hpp"
 #include "repose/scene/bases/row.hpp"
 #include "repose/scene/methods/contact_dynamics.hpp"
 #include "repose/scene/methods/deposition.hpp"
@@ -31,8 +32,8 @@ Kinds<SourceKind>& source_kinds() {
 }
 
 Kinds<BaseKind>& base_kinds() {
-  static Kinds<BaseKind> kinds{{RowBase{}, DepositedBase{}, ContiguousBase{}, BedBase{}, PlaneBase{}, NoBase{},
-                                FlatBase{}, FloorBase{}, DisorderedBase{}}};
+  static Kinds<BaseKind> kinds{{RowBase{}, DepositedBase{}, ContiguousBase{}, BedBase{}, DepositedBed{}, PlaneBase{},
+                                NoBase{}, FlatBase{}, FloorBase{}, DisorderedBase{}}};
   return kinds;
 }
 

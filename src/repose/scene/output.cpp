@@ -84,6 +84,8 @@ void force_keys(Scene& scene, Parameters& keys) {
   } else {
     keys.number("analysis.base_bin", analysis.base_bin, {2.0 * d, "2 d"}, positive, "L",
                 "width of the rings in which the pressure on the base is measured");
+    keys.number("analysis.base_cell", analysis.base_cell, {analysis.base_bin, "base_bin"}, positive, "L",
+                "side of the square cells, the sensors, in which the forces on the base are measured");
     keys.number("analysis.field_width", analysis.field_width, {2.0 * d, "2 d"}, positive, "L",
                 "width and height of the rings in which stress and density are measured");
   }
@@ -166,6 +168,7 @@ void check_analysis(const Scene& scene, Problems& problems) {
   if (forces || scene.dimension == 3) check_length("analysis.bin_width", scene.analysis.bin_width, 0.01, 1e6);
   if (!forces) return;
   check_length("analysis.base_bin", scene.analysis.base_bin, 0.01, 1e6);
+  if (scene.dimension == 3) check_length("analysis.base_cell", scene.analysis.base_cell, 0.01, 1e6);
   check_length("analysis.field_width", scene.analysis.field_width, 0.05, 1e4);
 }
 

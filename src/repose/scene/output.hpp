@@ -36,6 +36,7 @@ struct AnalysisKeys {
   double force = unset;          ///< [M L/T^2] the given one
   double force_threshold = 0.2;  ///< [that unit]
   double base_bin = unset;       ///< [L]
+  double base_cell = unset;      ///< [L] in three dimensions
   double field_width = unset;    ///< [L]
   double core_depth = unset;     ///< [L]
   double moved = unset;          ///< [L]

@@ -35,9 +35,37 @@ void add_wall_forces(RegistryIn<3>& to) {
                  }));
 }
 
+void add_base_cells(RegistryIn<3>& to) {
+  const Columns<std::vector<BaseCell>> cells{
+      column("x", &BaseCell::x, "L", "middle of the cell"),
+      column("y", &BaseCell::y, "L", "the same along y"),
+      column("count", &BaseCell::count, "", "base grains in it, or contacts with the floor"),
+      column("pressure", &BaseCell::pressure, "M/(L T^2)",
+             "normal force over the area of the cell, positive downwards"),
+      column("shear_x", &BaseCell::shear_x, "M/(L T^2)", "force on the base along x over that area"),
+      column("shear_y", &BaseCell::shear_y, "M/(L T^2)", "along y"),
+  };
+  const Group<BaseCells> group{
+      "base_cells",
+      "cells",
+      {attribute<BaseCells>(
+           "side_x", [](const BaseCells& base) { return base.side[0]; }, "L", "of a cell along x"),
+       attribute<BaseCells>(
+           "side_y", [](const BaseCells& base) { return base.side[1]; }, "L", "of a cell along y"),
+       attribute("load", &BaseCells::load, "M L/T^2", "sum of all normal forces: of pressure times area"),
+       attribute<BaseCells>(
+           "traction_x", [](const BaseCells& base) { return base.traction[0]; }, "M L/T^2",
+           "sum of all shear forces along x"),
+       attribute<BaseCells>(
+           "traction_y", [](const BaseCells& base) { return base.traction[1]; }, "M L/T^2", "along y")},
+      columns_of<BaseCells>(cells, &BaseCells::cells)};
+  to.groups.push_back(analysis_group<BaseCells, 3>(
+      group, [](const Run& run) { return run.results.base_cells.cells.empty() ? nullptr : &run.results.base_cells; }));
+}
+
 }  // namespace
 
-/// The pressure on the base by rings, the forces on walls, and how well they balance the weight.
+/// The pressure on the base by rings and cells, the forces on walls, and how well they balance the weight.
 void add_sphere_base(RegistryIn<3>& to) {
   const auto add = [&](MeasureIn<3> measure) { to.measures.push_back(std::move(measure)); };
   add(measure<3>("base_dip", "", "whether the pressure dips under the apex",
@@ -60,7 +88,7 @@ void add_sphere_base(RegistryIn<3>& to) {
       column("outer", &BaseRing::outer, "L", "outer radius"),
       column<BaseRing>(
           "count", [](const BaseRing& ring) { return static_cast<std::int64_t>(ring.count); }, "",
-          "base grains in it, or grains that a plane carries"),
+          "base grains in it, or contacts with the floor"),
       column("area", &BaseRing::area, "L^2", "of it"),
       column("pressure", &BaseRing::pressure, "M/(L T^2)", "normal force per area, positive downwards"),
       column("pressure_error", &BaseRing::pressure_error, "M/(L T^2)", "jackknife over eight sectors"),
@@ -74,6 +102,7 @@ void add_sphere_base(RegistryIn<3>& to) {
                                columns_of<BaseRings>(rings, &BaseRings::rings)};
   to.groups.push_back(analysis_group<BaseRings, 3>(
       group, [](const Run& run) { return run.results.base.rings.empty() ? nullptr : &run.results.base; }));
+  add_base_cells(to);
 }
 
 }  // namespace repose

@@ -36,7 +36,7 @@ struct BedBase final : KindOf<BedBase, BaseKind> {
   bool of_one_size() const override { return true; }
   double reach(const Scene&) const override { return radius; }
   std::optional<double> area_of_grain() const override { return 0.5 * std::sqrt(3.0) * spacing * spacing; }
-  double depth() const override { return roughness; }
+  double depth(const Scene&) const override { return roughness; }
   double height_on_top(const Scene& scene, double diameter) const override;
   std::string describe() const override;
   using BaseKind::add_grains;

@@ -25,7 +25,7 @@ struct DepositedBase final : KindOf<DepositedBase, BaseKind> {
   void check(const Scene& scene, Problems& problems) const override;
   bool of_grains() const override { return true; }
   double reach(const Scene&) const override { return half_width; }
-  double depth() const override { return roughness; }
+  double depth(const Scene&) const override { return roughness; }
   double height_on_top(const Scene&, double diameter) const override { return diameter; }
   std::string describe() const override;
   using BaseKind::add_grains;
