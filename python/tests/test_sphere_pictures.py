@@ -237,6 +237,16 @@ def test_base_map_has_the_force_of_each_loaded_grain(folder):
     assert (cross.get_xdata()[0], cross.get_ydata()[0]) == pytest.approx(tuple(AXIS))
 
 
+def test_base_map_draws_upper_base_grains_over_lower_ones(tmp_path):
+    base = square_layer(4, 0.0)
+    base[::2, 2] = -0.4
+    _, figure = drawn(write_spheres(tmp_path / "run", cone(3.0), base), "base_map")
+    height = {tuple(place[:2]): place[2] for place in base}
+    for circles in circles_of(figure.axes[0]):
+        levels = [height[tuple(np.round(place, 6))] for place in circles.get_offsets()]
+        assert levels == sorted(levels)
+
+
 def test_base_map_of_a_floor_has_the_pressure_of_each_cell(tmp_path):
     run, figure = drawn(write_spheres(tmp_path / "run", **RUNS["floor"]), "base_map")
     axes = figure.axes[0]

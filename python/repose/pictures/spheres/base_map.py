@@ -36,11 +36,11 @@ def draw(run, state):
     place = np.column_stack([run.base["x"], run.base["y"]])
     panel = _panel(run, state, place[loaded], MARGIN * run.attributes["grain_diameter"])
     units = style.units_of(run)
-    radius = _radii(run, state)
+    radius, upwards = _radii_and_order(run, state)
     seen = panel.box.near(place, radius)
     largest = largest_force(normal[normal > 0.0]) or 1.0
     edge = dict(edgecolors=style.FAINT, linewidths=0.25)
-    idle, busy = seen & ~loaded, seen & loaded
+    idle, busy = (upwards[(seen & part)[upwards]] for part in (~loaded, loaded))
     add_circles(panel, place[idle], radius[idle], facecolors="white", **edge)
     drawing = dict(cmap=style.LOAD, norm=Normalize(0.0, largest), array=normal[busy], **edge)
     circles = add_circles(panel, place[busy], radius[busy], **drawing)
@@ -79,12 +79,13 @@ def _panel(run, state, place, margin):
     return stack_panels(run, state, [(box, "xy")], scale, [BAR_ROW + LEGEND_ROW], left=left_edge(run))[0]
 
 
-def _radii(run, state):
-    """Of the base grains (B) [L]."""
+def _radii_and_order(run, state):
+    """Radii (B) [L] of the base grains, and their places from the lowest to the highest: those above cover those below."""
     grains = state.grains
     rows = np.minimum(np.searchsorted(grains.id, run.base["id"]), max(0, len(grains) - 1))
     same = grains.id[rows] == run.base["id"]
-    return np.where(same, grains.radius[rows], 0.5 * run.attributes["grain_diameter"])
+    radius = np.where(same, grains.radius[rows], 0.5 * run.attributes["grain_diameter"])
+    return radius, np.argsort(np.where(same, grains.position[rows, 2], 0.0), kind="stable")
 
 
 def mean_shear(place, shear, cell):
