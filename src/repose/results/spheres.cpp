@@ -241,6 +241,7 @@ Results<3> analyse(const Record<3>& record) {
     results.cone.angle_deg = mean_of({});
     results.cone.moments_angle_deg.reset();
   }
+  if (!results.cone.moments_angle_deg) results.base.dip_index.reset();  // a bed has no apex
   return results;
 }
 
