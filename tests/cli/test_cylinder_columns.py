@@ -245,8 +245,8 @@ def test_a_smooth_cylinder_carries_nothing(lab, more):
 # load follows from the measured K and the mobilised friction by Janssen's law.
 @pytest.mark.parametrize(("moves", "speed"), [("floor", 0.05), ("floor", -0.05), ("cylinder", 0.05)])
 def test_a_moving_column_follows_janssen(lab, moves, speed):
-    motion = f'motion = "velocity"\nvelocity = [0, 0, {speed}]\nstart = 30'
-    out = lab.run(pipe("time = 60", count=200, output="window = 20", **{moves: motion}))
+    motion = f'motion = "velocity"\nvelocity = [0, 0, {speed}]\nstart = 45'
+    out = lab.run(pipe("time = 75", count=200, output="window = 20", **{moves: motion}))
     found = summary(out)["column"]
     pushed_up = moves == "floor" and speed > 0.0
     low, high = (2.0, 15.0) if pushed_up else (0.1, 0.6)
@@ -260,7 +260,7 @@ def test_a_moving_column_follows_janssen(lab, moves, speed):
     if moves == "cylinder":
         return
     motion, _ = tables(out / "analysis.h5", "column_motion")
-    np.testing.assert_allclose(motion["floor"], speed * (motion["time"] - 30), atol=2e-3)
+    np.testing.assert_allclose(motion["floor"], speed * (motion["time"] - 45), atol=2e-3)
     np.testing.assert_allclose(motion["top"], motion["floor"] - motion["shortening"], atol=1e-12)
     assert pushed_up or 0.0 < -found["top_follows"] < 1.0
     # Heights count from the floor where it is, not from where it was.

@@ -110,10 +110,20 @@ std::optional<FlankLine> line_of(const ConicalHeap& cone, const HeightOf& height
 }
 
 /// Whether the surface falls in all sectors, as that of a heap, and not only to the wall of a silo, as a rough bed may.
-/// A sector that ends before the outermost ring has fallen.
+/// A sector that ends one ring before the others has fallen: rings may be as wide as a small heap is steep.
 bool falls_off(const ConicalHeap& cone) {
-  const auto& ends = cone.surface.back().sector_height;
-  return std::none_of(ends.begin(), ends.end(), [&](double end) { return end >= highest_end * cone.apex_height; });
+  for (std::size_t sector = 0; sector < sectors; ++sector) {
+    double end = no_number;
+    std::size_t rings = 0;  // up to the end
+    for (std::size_t k = 0; k < cone.surface.size(); ++k) {
+      if (std::isnan(cone.surface[k].sector_height[sector])) continue;
+      end = cone.surface[k].sector_height[sector];
+      rings = k + 1;
+    }
+    if (rings + 1 == cone.surface.size()) continue;
+    if (!(end < highest_end * cone.apex_height)) return false;
+  }
+  return true;
 }
 
 std::optional<double> moments_angle(const Grains<3>& grains, const std::vector<bool>& in_heap, const Vec<2>& axis,
