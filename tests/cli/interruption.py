@@ -3,8 +3,10 @@
 """Scenes that are interrupted, and what their tests share."""
 
 import os
+import signal
 import subprocess
 import time
+from contextlib import contextmanager
 
 import h5py
 import pytest
@@ -110,6 +112,16 @@ def resumed(lab, out, *options, expect=0):
     result = lab("resume", out, "--quiet", *options)
     assert result.returncode == expect, result.stderr
     return result
+
+
+@contextmanager
+def paused(process):
+    """The process stands still meanwhile, so that it cannot end before what is tried beside it, on a machine of any load."""
+    process.send_signal(signal.SIGSTOP)
+    try:
+        yield
+    finally:
+        process.send_signal(signal.SIGCONT)
 
 
 def wait_for_checkpoint(folder):

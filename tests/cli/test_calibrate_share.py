@@ -9,6 +9,7 @@ import time
 
 import pytest
 from conftest import LIMIT, PROGRAM, everything_in
+from interruption import paused
 from test_calibrate import CALIBRATION, calibrate, results, small, whole  # noqa: F401  # fixtures
 
 pytest.importorskip("scipy")
@@ -83,13 +84,15 @@ def test_a_part_continues_what_one_program_began_and_the_other_way_round(small, 
     words = [PROGRAM, "calibrate", "c.toml", "--out", "out", "--quiet", "--threads", "1"]
     alone = subprocess.Popen(words, cwd=small.path)
     wait_for(lambda: ended(small) >= 1)
-    refused = small("calibrate", "c.toml", "--out", "out", "--share", "1/2")
+    with paused(alone):
+        refused = small("calibrate", "c.toml", "--out", "out", "--share", "1/2")
     assert refused.returncode == 2 and refused.stderr == "out: another program calibrates here\n"
     alone.terminate()
     alone.wait(LIMIT)
     part = worker(small, 1)
     wait_for(lambda: ended(small) >= 9)  # in the second round
-    refused = small("calibrate", "c.toml", "--out", "out")
+    with paused(part):
+        refused = small("calibrate", "c.toml", "--out", "out")
     assert refused.returncode == 2 and refused.stderr == "out: another program calibrates here\n"
     part.terminate()
     part.communicate(timeout=LIMIT)

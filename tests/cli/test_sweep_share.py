@@ -11,6 +11,7 @@ import time
 
 import pytest
 from conftest import HEAP, PROGRAM
+from interruption import paused
 from test_sweep import SWEEP, contents, rows_of, run_sweep
 
 MEMBERS = 10
@@ -143,7 +144,8 @@ def test_a_signal_leaves_checkpoints_and_the_members_resume(sweep, number):
 def test_a_plain_sweep_and_shares_exclude_each_other(sweep):
     process = worker(sweep, 1, 1)
     wait_for(lambda: members_that_ended(sweep) >= 1)
-    result = sweep("sweep", "sweep.toml", "--out", "shared")
+    with paused(process):
+        result = sweep("sweep", "sweep.toml", "--out", "shared")
     assert result.returncode == 2 and "is being written here by another program" in result.stderr
     finish(process)
 
