@@ -2,37 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/analysis/chains.hpp"
 
+#include "repose/analysis/groups.hpp"
 #include "repose/analysis/principal_axes.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <unordered_map>
 #include <utility>
 
 namespace repose {
 
 namespace {
-
-/// A union-find structure over contacts.
-class Union {
- public:
-  explicit Union(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-  std::size_t find(std::size_t k) {
-    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
-    return k;
-  }
-  void join(std::size_t a, std::size_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 using Places = std::unordered_map<std::int64_t, std::size_t>;
 
@@ -157,18 +139,18 @@ Chains find_chains(const Grains<D>& grains, const Contacts<D>& contacts, double 
   Places place;
   for (std::size_t k = 0; k < grains.size(); ++k) place.emplace(grains.id[k], k);
   const auto strong = strong_contacts(contacts, threshold);
-  Union sets(strong.size());
+  Groups groups(strong.size());
   std::unordered_map<std::int64_t, std::size_t> first_at;  // the first strong contact of each moving grain
   for (std::size_t s = 0; s < strong.size(); ++s) {
     const auto& contact = contacts.list[strong[s]];
     for (const auto id : {contact.first, contact.second}) {
       if (id < 0 || grains.line[place.at(id)].fixed()) continue;
       const auto [entry, is_new] = first_at.emplace(id, s);
-      if (!is_new) sets.join(entry->second, s);
+      if (!is_new) groups.join(entry->second, s);
     }
   }
   std::map<std::size_t, std::vector<std::size_t>> members;  // contacts of each set; a set is named by its first
-  for (std::size_t s = 0; s < strong.size(); ++s) members[sets.find(s)].push_back(strong[s]);
+  for (std::size_t s = 0; s < strong.size(); ++s) members[groups.of(s)].push_back(strong[s]);
   std::vector<const std::vector<std::size_t>*> order;
   for (const auto& [set, list] : members) order.push_back(&list);
   std::stable_sort(order.begin(), order.end(), [](const auto* a, const auto* b) { return a->size() > b->size(); });

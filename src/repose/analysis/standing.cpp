@@ -2,33 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "repose/analysis/standing.hpp"
 
+#include "repose/analysis/groups.hpp"
+
 #include <cstdint>
-#include <numeric>
 #include <unordered_map>
 
 namespace repose {
-namespace {
-
-/// Groups of places that hang together (union-find).
-class Groups {
- public:
-  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-
-  std::size_t of(std::size_t place) {
-    while (parent_[place] != place) {
-      parent_[place] = parent_[parent_[place]];
-      place = parent_[place];
-    }
-    return place;
-  }
-
-  void join(std::size_t first, std::size_t second) { parent_[of(first)] = of(second); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
-}  // namespace
 
 template <int D>
 std::vector<bool> standing(const Grains<D>& grains, const Contacts<D>& contacts) {
