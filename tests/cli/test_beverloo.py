@@ -96,7 +96,7 @@ def test_beverloo_of_spheres(lab):
         changed["output.series"] = (end - 80) / 100
         for seed in (1, 2):
             settings = [f"--set={key}={value}" for key, value in (changed | {"seed": seed}).items()]
-            assert lab("run", HOPPER, "--out", f"r{radius}-{seed}", *settings).returncode == 0
+            assert lab("run", HOPPER, "--out", f"r{radius}-{seed}", *settings, timeout=1800).returncode == 0
             rates[k, seed - 1] = outflow(lab.path / f"r{radius}-{seed}", 150, 1150)
     line, errors = np.polyfit(np.log(free), np.log(rates.mean(axis=1)), 1, cov=True)
     print(f"rates {rates.round(1).tolist()}, C = {np.exp(line[1]):.3f}, exponent {line[0]:.3f} +- {errors[0, 0] ** 0.5:.3f}")
