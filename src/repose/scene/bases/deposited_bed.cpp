@@ -36,8 +36,8 @@ void DepositedBed::check(const Scene& scene, Problems& problems) const {
 }
 
 double DepositedBed::depth(const Scene& scene) const {
-  constexpr double deepest = 4.0;  // largest diameters: the thickness of the deposit
-  return deepest * scene.largest_drawn();
+  constexpr double thickness = 4.0;  // of the deposit, in largest diameters
+  return thickness * scene.largest_drawn();
 }
 
 double DepositedBed::height_on_top(const Scene& scene, double diameter) const {

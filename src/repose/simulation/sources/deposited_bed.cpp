@@ -21,10 +21,9 @@ namespace repose {
 namespace {
 
 /// A deposit on a level floor in a square periodic box about the origin, which leaves a diameter around the base. As
-/// many spheres are dropped as fill four of the largest diameters at the solid fraction of such deposits.
-Grains<3> random_deposit(const Scene& scene, double base_radius) {
+/// many spheres are dropped as fill it to a thickness [L] at the solid fraction of such deposits.
+Grains<3> random_deposit(const Scene& scene, double base_radius, double thickness) {
   constexpr double solid_fraction = 0.58;  // Visscher and Bolsterli (1972)
-  constexpr double thickness = 4.0;        // largest diameters
   const double largest = scene.largest_drawn();
   const double half = base_radius + largest;
   const GrainDraw<3> sizes(scene, Purpose::base_species, Purpose::base_size);
@@ -35,7 +34,7 @@ Grains<3> random_deposit(const Scene& scene, double base_radius) {
   settings.box.x_max = settings.box.y_max = half;
   settings.floor = 0.0;
   settings.largest_radius = 0.5 * largest;
-  double missing = solid_fraction * thickness * largest * 4.0 * half * half;
+  double missing = solid_fraction * thickness * 4.0 * half * half;
   for (; missing > 0.0; ++settings.count) {
     const double radius = sizes(static_cast<std::uint64_t>(settings.count)).grain.radius;
     missing -= 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
@@ -153,8 +152,8 @@ std::vector<Grain<3>> spheres_at_surface(const Grains<3>& deposit, double radius
 
 /// The highest centre lies at height 0.
 void DepositedBed::add_grains(const Scene& scene, Grains<3>& grains, std::int64_t& id) const {
-  auto spheres =
-      spheres_at_surface(random_deposit(scene, radius), radius, scene.smallest_drawn(), scene.largest_drawn());
+  const auto deposit = random_deposit(scene, radius, depth(scene));
+  auto spheres = spheres_at_surface(deposit, radius, scene.smallest_drawn(), scene.largest_drawn());
   std::sort(spheres.begin(), spheres.end(), [](const auto& a, const auto& b) {
     return std::tie(a.position[0], a.position[1], a.position[2]) <
            std::tie(b.position[0], b.position[1], b.position[2]);
